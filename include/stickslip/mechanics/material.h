@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mechanics_material_h
+#define stickslip_mechanics_material_h
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * An isotropic Kelvin-Voigt solid,
+   *
+   *   sigma = 2 mu eps(u) + lambda tr(eps(u)) I
+   *         + 2 eta dev(eps(u_t)) + zeta tr(eps(u_t)) I,
+   *
+   * with shear viscosity eta and bulk viscosity zeta. Two-dimensional bodies
+   * are in plane strain.
+   */
+  struct Material
+  {
+    /** Young's modulus E, Pa. */
+    double youngs_modulus = 4.12e7;
+
+    /** Poisson's ratio nu. */
+    double poissons_ratio = 0.3;
+
+    /** Density rho, kg/m^3. */
+    double density = 5e3;
+
+    /** Shear viscosity eta, Pa s. */
+    double shear_viscosity = 1e3;
+
+    /** Bulk viscosity zeta, Pa s. */
+    double bulk_viscosity = 1e3;
+
+    /** First Lame parameter lambda = E nu / ((1 + nu)(1 - 2 nu)), Pa. */
+    double
+    lame_lambda() const;
+
+    /** Shear modulus mu = E / (2 (1 + nu)), Pa. */
+    double
+    shear_modulus() const;
+
+    /** Declare the entries in the current subsection of @p prm. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mesh_body_geometry_h
+#define stickslip_mesh_body_geometry_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <array>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * A brick-shaped body and its mesh: coarse cells, then passes that each
+   * refine every cell touching a fault. The last axis is vertical; bodies are
+   * stacked along it.
+   */
+  template <int dim>
+  struct BodyGeometry
+  {
+    /** Lateral extent: lower and upper bound for each horizontal axis, m. */
+    std::array<double, dim - 1> lateral_lower;
+    std::array<double, dim - 1> lateral_upper;
+
+    /** Extent along the vertical axis, m. */
+    double thickness = 1.;
+
+    /** Elevation of the lower side, m; follows from the bodies below. */
+    double base = 0.;
+
+    /** Coarse cells along each axis. */
+    std::array<unsigned int, dim> coarse_cells;
+
+    /** Number of passes that refine the cells touching a fault. */
+    unsigned int refinement_passes = 4;
+
+    BodyGeometry();
+
+    Point<dim>
+    lower_corner() const;
+
+    Point<dim>
+    upper_corner() const;
+
+    /** Declare the entries in the current subsection of @p prm. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mortar_contact_parameters_h
+#define stickslip_mortar_contact_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * When the contact mapping between the two sides of a fault is built anew.
+   */
+  struct ContactParameters
+  {
+    /** False: small slip, the mapping of the reference positions is kept. */
+    bool follow_slip = true;
+
+    /**
+     * The mapping is rebuilt as soon as some node has slid farther since the
+     * last build than this fraction of the smallest face at the fault.
+     */
+    double rebuild_fraction = 0.25;
+
+    /** Declare the entries in the current subsection of @p prm. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace StickSlip
+
+#endif

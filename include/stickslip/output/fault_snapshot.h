@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_fault_snapshot_h
+#define stickslip_output_fault_snapshot_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * The fields of one fault at one time, node by node in the order of x (then
+   * y in three dimensions). Tangential vectors have dim-1 components; slip,
+   * slip rate and shear traction are those of the upper body relative to the
+   * lower one, whichever is the slave. Off-contact nodes have weight zero.
+   */
+  template <int dim>
+  struct FaultSnapshot
+  {
+    std::string name;
+
+    /** Reference positions of the slave nodes, m. */
+    std::vector<Point<dim>> points;
+
+    /** Integral of the nodes' dual basis functions, m^(dim-1). */
+    std::vector<double> weights;
+
+    /** Accumulated slip, m, and its rate, m/s. */
+    std::vector<Tensor<1, dim - 1>> slip;
+    std::vector<Tensor<1, dim - 1>> slip_rate;
+
+    /** Shear traction by which the fault resists the slip of the upper body,
+     * Pa: has the sign of the slip rate. */
+    std::vector<Tensor<1, dim - 1>> shear_traction;
+
+    /** Normal stress, Pa, compression positive. */
+    std::vector<double> normal_stress;
+
+    /** State theta, s. */
+    std::vector<double> state;
+  };
+
+  /**
+   * What is recorded of one accepted step.
+   */
+  struct StepRecord
+  {
+    unsigned int step                  = 0;
+    double       time                  = 0;
+    double       step_size             = 0;
+    unsigned int rate_state_iterations = 0;
+    unsigned int tnnmg_iterations      = 0;
+    unsigned int multigrid_cycles      = 0;
+  };
+} // namespace StickSlip
+
+#endif

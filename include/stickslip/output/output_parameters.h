@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_output_parameters_h
+#define stickslip_output_output_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * What is written where and how often.
+   */
+  struct OutputParameters
+  {
+    /** Folder of all files; empty: output/<name of the parameter file>. */
+    std::string directory;
+
+    /** Cadence of faults.h5: a record is written when the largest slip rate
+     * of any fault has changed by this factor since the last one, ... */
+    double fault_slip_rate_factor = 2.;
+    /** ... but not within this time of it, s, ... */
+    double fault_shortest_interval = 1e-3;
+    /** ... and at the latest after this time, s. */
+    double fault_longest_interval = 0.5;
+
+    /** The same for the VTU files. */
+    double volume_slip_rate_factor   = 100.;
+    double volume_shortest_interval  = 0.05;
+    double volume_longest_interval   = 5.;
+    bool   write_volume              = true;
+
+    /** An event begins when the mean slip rate of a fault rises above this,
+     * m/s; zero: twice the largest prescribed velocity. */
+    double event_start_slip_rate = 0.;
+
+    /** An event ends when it falls below this fraction of the former. */
+    double event_end_fraction = 0.5;
+
+    /** Declare the entries in the current subsection of @p prm. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace StickSlip
+
+#endif

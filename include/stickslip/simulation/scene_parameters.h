@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_scene_parameters_h
+#define stickslip_simulation_scene_parameters_h
+
+#include <stickslip/friction/fault_parameters.h>
+#include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/mechanics/material.h>
+#include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mortar/contact_parameters.h>
+#include <stickslip/output/output_parameters.h>
+#include <stickslip/time/time_parameters.h>
+#include <stickslip/tnnmg/solver_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * One body of the scene.
+   */
+  template <int dim>
+  struct BodyParameters
+  {
+    std::string       name;
+    BodyGeometry<dim> geometry;
+    Material          material;
+  };
+
+  /**
+   * A whole scene as read from a parameter file.
+   */
+  template <int dim>
+  struct SceneParameters
+  {
+    /** From bottom to top. */
+    std::vector<BodyParameters<dim>> bodies;
+
+    /** From bottom to top; fault i lies between bodies i and i+1. */
+    std::vector<FaultParameters> faults;
+
+    std::vector<BoundaryCondition<dim>> boundary_conditions;
+
+    /** Gravitational acceleration along the negative vertical axis, m/s^2. */
+    double gravity = 9.81;
+
+    ContactParameters contact;
+    TNNMGParameters   tnnmg;
+    TimeParameters    time;
+    OutputParameters  output;
+  };
+} // namespace StickSlip
+
+#endif

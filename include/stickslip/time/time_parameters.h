@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_time_parameters_h
+#define stickslip_time_time_parameters_h
+
+#include <stickslip/friction/state_evolution.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * How the size of a time step is chosen.
+   */
+  enum class StepSizeControl
+  {
+    /** Error estimate from the history, one solve per step; the default. */
+    embedded,
+    /** One step of 2 tau against two of tau, as published. */
+    step_doubling,
+    /** Always the largest step. */
+    constant
+  };
+
+  /**
+   * How the rate and the state problem of one step are iterated.
+   */
+  enum class RateStateMethod
+  {
+    /** One iteration of the rate solver for each state update. */
+    interleaved,
+    /** Each rate problem is solved before the state is updated, as published.
+     */
+    nested
+  };
+
+  /**
+   * Settings of the time stepping.
+   */
+  struct TimeParameters
+  {
+    /** Simulated time at the end, s. */
+    double end_time = 60.;
+
+    StepSizeControl control = StepSizeControl::embedded;
+
+    /** Tolerance of the embedded control (state and traction, L2(fault)). */
+    double tolerance = 1e-4;
+
+    /** Threshold of the step doubling control (state, L2(fault)). */
+    double doubling_threshold = 1e-5;
+
+    /** Step sizes, s. The step sizes used are largest_step 2^-k. */
+    double initial_step  = 1e-3;
+    double smallest_step = 1e-9;
+    double largest_step  = 0.5;
+
+    /**
+     * No step is longer than this fraction of the longest loading ramp while
+     * the ramp lasts: the error estimates see nothing of a load to come.
+     */
+    double ramp_fraction = 0.025;
+
+    StateUpdate state_update = StateUpdate::exponential;
+
+    RateStateMethod rate_state_method = RateStateMethod::interleaved;
+
+    /** The rate-state iteration ends when the state, L2(fault), changes less.
+     */
+    double rate_state_tolerance = 1e-6;
+
+    /** More iterations than this reject the step. */
+    unsigned int max_rate_state_iterations = 100;
+
+    /** Declare the entries in the current subsection of @p prm. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_nonsmooth_functional_h
+#define stickslip_tnnmg_nonsmooth_functional_h
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * A convex functional that is a sum of terms, each of the d components of
+   * one node:
+   *
+   *   phi(v) = sum_k phi_k(v_{node(k)}).
+   *
+   * The terms may be nonsmooth. What the solver needs of them is gathered
+   * here; it knows nothing of where they come from. All member functions take
+   * the position @p k of a term in nodes().
+   */
+  template <int dim>
+  class NonsmoothFunctional
+  {
+  public:
+    virtual ~NonsmoothFunctional() = default;
+
+    /**
+     * The local indices of the owned nodes that carry a term, in ascending
+     * order, each at most once.
+     */
+    virtual const std::vector<unsigned int> &
+    nodes() const = 0;
+
+    /**
+     * The value phi_k(v).
+     */
+    virtual double
+    value(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+
+    /**
+     * The derivative phi_k'(v; direction) in one direction, from that side.
+     */
+    virtual double
+    directional_derivative(const unsigned int    k,
+                           const Tensor<1, dim> &v,
+                           const Tensor<1, dim> &direction) const = 0;
+
+    /**
+     * The gradient at v. Where phi_k is not differentiable, the element of
+     * the subdifferential of least norm.
+     */
+    virtual Tensor<1, dim>
+    gradient(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+
+    /**
+     * The second derivative at v, symmetric and positive semidefinite. Only
+     * asked for where is_smooth() is true.
+     */
+    virtual Tensor<2, dim>
+    hessian(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+
+    /**
+     * Whether phi_k is twice differentiable in a neighbourhood of v. Where it
+     * is not, the node's nonsmooth components are truncated from the
+     * linearisation whatever the size of the second derivative.
+     */
+    virtual bool
+    is_smooth(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+
+    /**
+     * Whether phi_k depends on this component of the node's unknown. The
+     * components it does not depend on are never truncated.
+     */
+    virtual bool
+    acts_on(const unsigned int k, const unsigned int component) const = 0;
+
+    /**
+     * The minimiser v of
+     *
+     *   1/2 v . A v - r . v + phi_k(v)
+     *
+     * over the components with @p active true; the others of the returned
+     * vector equal those of @p start, and r already holds what they
+     * contribute. A restricted to the active components is symmetric and
+     * positive definite. The minimiser is exact up to rounding, whatever
+     * @p start is.
+     */
+    virtual Tensor<1, dim>
+    minimise(const unsigned int           k,
+             const Tensor<2, dim>        &A,
+             const Tensor<1, dim>        &r,
+             const std::array<bool, dim> &active,
+             const Tensor<1, dim>        &start) const = 0;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_solver_parameters_h
+#define stickslip_tnnmg_solver_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * Settings of the truncated nonsmooth Newton multigrid iteration.
+   */
+  struct TNNMGParameters
+  {
+    /**
+     * The iteration ends when the energy norm of its correction is below this
+     * times the energy norm of the iterate.
+     */
+    double tolerance = 1e-8;
+
+    /** More iterations than this are a failure. */
+    unsigned int max_iterations = 100;
+
+    /**
+     * A component is truncated where the second derivative of the nonsmooth
+     * term exceeds this times the diagonal of the matrix.
+     */
+    double truncation_factor = 10.;
+
+    /** Steps of CG, each with one V-cycle, in a linear correction. */
+    unsigned int cycles_per_correction = 3;
+
+    /** Gauss-Seidel sweeps before and after each coarse grid correction. */
+    unsigned int smoothing_sweeps = 1;
+
+    /** Print a line for every iteration. */
+    bool print_iterations = false;
+
+    /** Declare the entries in the current subsection of @p prm. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace StickSlip
+
+#endif
