@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_algebra_block_matrix_h
+#define stickslip_algebra_block_matrix_h
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/tensor.h>
+
+#include <stickslip/algebra/block_kernels.h>
+#include <stickslip/algebra/node_partition.h>
+
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * The couplings between nodes: for each owned row the local indices of its
+   * columns in ascending order. Every row holds its diagonal.
+   */
+  struct BlockSparsity
+  {
+    std::vector<unsigned int> row_start = {0};
+    std::vector<unsigned int> column;
+    /** Position of each row's diagonal entry. */
+    std::vector<unsigned int> diagonal;
+
+    BlockSparsity() = default;
+
+    /** From sorted or unsorted lists of columns; the diagonal is added. */
+    explicit BlockSparsity(std::vector<std::vector<unsigned int>> rows);
+
+    unsigned int
+    n_rows() const;
+
+    std::size_t
+    n_entries() const;
+
+    /** Position of the entry (row, column); it must exist. */
+    unsigned int
+    position(const unsigned int row, const unsigned int column) const;
+
+    std::size_t
+    memory_consumption() const;
+  };
+
+  /**
+   * A square matrix of dim x dim blocks over the nodes of a level: rows of the
+   * owned nodes, columns of owned and ghost nodes.
+   */
+  template <int dim>
+  class BlockMatrix
+  {
+  public:
+    static constexpr unsigned int block_size = dim * dim;
+
+    BlockMatrix() = default;
+
+    explicit BlockMatrix(const std::shared_ptr<const BlockSparsity> &sparsity);
+
+    const BlockSparsity &
+    sparsity() const;
+
+    const std::shared_ptr<const BlockSparsity> &
+    shared_sparsity() const;
+
+    unsigned int
+    n_rows() const;
+
+    /** The dim x dim numbers of the entry at a position, row by row. */
+    double *
+    block(const unsigned int position);
+
+    const double *
+    block(const unsigned int position) const;
+
+    Tensor<2, dim>
+    diagonal_block(const unsigned int row) const;
+
+    void
+    set_diagonal_block(const unsigned int row, const Tensor<2, dim> &value);
+
+    AlignedVector<double> &
+    values();
+
+    const AlignedVector<double> &
+    values() const;
+
+    Kernels::BlockRows
+    rows() const;
+
+    /** y = A x. */
+    void
+    vmult(NodalVector &y, const NodalVector &x) const;
+
+    /** r = b - A x. */
+    void
+    residual(NodalVector &r, const NodalVector &b, const NodalVector &x) const;
+
+    /** This matrix becomes sum_k coefficients[k] * terms[k]; all share one
+     * sparsity. */
+    void
+    combine(const std::vector<double>              &coefficients,
+            const std::vector<const BlockMatrix *> &terms);
+
+    /** Bytes of the values; the sparsity is shared. */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    std::shared_ptr<const BlockSparsity> pattern;
+    AlignedVector<double>                entries;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_algebra_node_mask_h
+#define stickslip_algebra_node_mask_h
+
+#include <stickslip/algebra/node_partition.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * Which components of each node take part in a linear problem. Components
+   * that do not (fixed by a boundary condition or the contact, determined by
+   * a hanging node constraint, truncated) are masked: their corrections are
+   * zero.
+   */
+  class NodeMask
+  {
+  public:
+    NodeMask() = default;
+
+    /** All components of all nodes take part. */
+    NodeMask(const unsigned int n_nodes, const unsigned int components);
+
+    void
+    mask(const unsigned int node, const unsigned int component);
+
+    void
+    mask_node(const unsigned int node);
+
+    bool
+    is_active(const unsigned int node, const unsigned int component) const;
+
+    /** Whether all components of the node take part. */
+    bool
+    is_fully_active(const unsigned int node) const;
+
+    unsigned int
+    n_nodes() const;
+
+    /** Number of masked components. */
+    unsigned int
+    n_masked() const;
+
+    /** Set the masked entries of @p vector to zero. */
+    void
+    apply(NodalVector &vector) const;
+
+    bool
+    operator==(const NodeMask &other) const;
+
+  private:
+    unsigned int              components = 0;
+    std::uint8_t              full       = 0;
+    std::vector<std::uint8_t> active;
+    /** Nodes with a masked component. */
+    std::vector<unsigned int> restricted;
+  };
+} // namespace StickSlip
+
+#endif

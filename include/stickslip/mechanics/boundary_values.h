@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mechanics_boundary_values_h
+#define stickslip_mechanics_boundary_values_h
+
+#include <deal.II/base/function_parser.h>
+
+#include <stickslip/algebra/node_mask.h>
+#include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The boundary conditions of a scene on its meshes: which components they
+   * fix on each level, and the values they take.
+   */
+  template <int dim>
+  class BoundaryValues
+  {
+  public:
+    /** @p body_names from the lowest body to the highest. */
+    BoundaryValues(const MeshHierarchy<dim>                  &meshes,
+                   const std::vector<BoundaryCondition<dim>> &conditions,
+                   const std::vector<std::string>            &body_names);
+
+    /** The components on level @p l whose velocity is prescribed. */
+    NodeMask
+    dirichlet_mask(const unsigned int l) const;
+
+    /** Set the prescribed velocities at @p time, m/s. */
+    void
+    set_velocities(const double time, NodalVector &velocity);
+
+    /** Add the load of the prescribed tractions at @p time, N. */
+    void
+    add_tractions(const double time, NodalVector &load);
+
+    /** The length of the longest ramp, s. */
+    double
+    longest_ramp() const;
+
+  private:
+    struct Side
+    {
+      unsigned int                                          body;
+      BoundaryCondition<dim>                                condition;
+      std::array<std::unique_ptr<FunctionParser<dim>>, dim> values;
+      std::vector<unsigned int>                             nodes;
+      std::vector<Point<dim>>                               points;
+    };
+
+    const MeshHierarchy<dim> &meshes;
+    std::vector<Side>         sides;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mechanics_elastic_assembly_h
+#define stickslip_mechanics_elastic_assembly_h
+
+#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/mechanics/material.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
+
+namespace StickSlip
+{
+  /**
+   * The matrices of the semidiscrete equation of motion of all bodies,
+   *
+   *   M u_tt + C u_t + K u = f,
+   *
+   * in the nodal basis of one level, the bodies not yet coupled. Hanging nodes
+   * are eliminated: their rows and columns are empty.
+   */
+  template <int dim>
+  struct ElasticMatrices
+  {
+    /** Consistent mass M, kg (per m in plane strain). */
+    BlockMatrix<dim> mass;
+    /** Viscous damping C, N s/m. */
+    BlockMatrix<dim> damping;
+    /** Stiffness K, N/m. */
+    BlockMatrix<dim> stiffness;
+  };
+
+  /**
+   * Assemble the matrices; @p materials from the lowest body to the highest.
+   */
+  template <int dim>
+  ElasticMatrices<dim>
+  assemble_elastic_matrices(const MeshLevel<dim>        &level,
+                            const std::vector<Material> &materials);
+
+  /**
+   * The load vector of gravity, -rho g in the direction of the last axis.
+   */
+  template <int dim>
+  NodalVector
+  assemble_gravity(const MeshLevel<dim>        &level,
+                   const std::vector<Material> &materials,
+                   const double                 acceleration);
+} // namespace StickSlip
+
+#endif

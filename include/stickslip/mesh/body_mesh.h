@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mesh_body_mesh_h
+#define stickslip_mesh_body_mesh_h
+
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mesh/fault_surface.h>
+
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * One mesh of one body: the triangulation, the nodal basis of continuous
+   * piecewise (multi)linear functions on it, one number a node, and the
+   * constraints of the hanging nodes.
+   */
+  template <int dim>
+  class BodyMesh
+  {
+  public:
+    /**
+     * The mesh of a body: coarse cells, then passes that each refine every
+     * cell touching the lower or the upper side where that is a fault.
+     */
+    BodyMesh(const BodyGeometry<dim> &geometry,
+             const bool               fault_below,
+             const bool               fault_above,
+             const MPI_Comm          &communicator);
+
+    /** The mesh in which every cell of @p finer that can be is coarsened. */
+    explicit BodyMesh(const BodyMesh &finer);
+
+    /** Whether any cell is the child of another. */
+    bool
+    can_be_coarsened() const;
+
+    /** Boundary indicator of the lower and of the upper side. */
+    static constexpr types::boundary_id lower_side = 2 * (dim - 1);
+    static constexpr types::boundary_id upper_side = 2 * (dim - 1) + 1;
+
+    /** The faces and nodes on one side. */
+    FaultSurface<dim>
+    surface(const types::boundary_id side) const;
+
+    /** The degrees of freedom on one side, hanging ones included. */
+    std::vector<types::global_dof_index>
+    dofs_on_side(const types::boundary_id side) const;
+
+    /** Reference positions of all nodes. */
+    std::vector<Point<dim>>
+    node_positions() const;
+
+    /** Smallest and largest diameter of a cell. */
+    std::pair<double, double>
+    cell_diameters() const;
+
+    const parallel::shared::Triangulation<dim> &
+    triangulation() const;
+
+    const DoFHandler<dim> &
+    dof_handler() const;
+
+    const AffineConstraints<double> &
+    hanging_nodes() const;
+
+  private:
+    void
+    distribute_dofs();
+
+    std::unique_ptr<parallel::shared::Triangulation<dim>> mesh;
+    std::unique_ptr<DoFHandler<dim>>                      dofs;
+    AffineConstraints<double>                             constraints;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_fault_nodes_h
+#define stickslip_time_fault_nodes_h
+
+#include <stickslip/friction/fault_friction.h>
+#include <stickslip/friction/state_evolution.h>
+#include <stickslip/mortar/jump_basis.h>
+
+namespace StickSlip
+{
+  /**
+   * The friction of one fault.
+   */
+  struct FaultLaw
+  {
+    std::shared_ptr<const FrictionLaw> friction;
+    StateLaw                           state_law = StateLaw::aging;
+    /** Characteristic slip L, m. */
+    double characteristic_slip = 0;
+    /** Evolution and direct effect, b and a, for error estimates. */
+    double b = 0, a = 0;
+  };
+
+  /**
+   * The slave nodes of all faults in one row, fault after fault, each in the
+   * order of its surface. State, slip and normal stress are arrays over these
+   * nodes; they stay with the nodes when the contact mapping changes. Friction
+   * acts on those of them that are in contact.
+   */
+  template <int dim>
+  class FaultNodes
+  {
+  public:
+    FaultNodes() = default;
+
+    /**
+     * @p laws: one entry a fault; @p normal_stress: one entry a slave node,
+     * Pa.
+     */
+    FaultNodes(const JumpBasis<dim>        &basis,
+               const std::vector<FaultLaw> &laws,
+               const std::vector<double>   &normal_stress);
+
+    /** Number of slave nodes of all faults. */
+    unsigned int
+    size() const;
+
+    /** Position of the first node of each fault, and size(). */
+    const std::vector<unsigned int> &
+    first_of_fault() const;
+
+    /** The fault of a slave node. */
+    unsigned int
+    fault(const unsigned int k) const;
+
+    const FaultLaw &
+    law(const unsigned int k) const;
+
+    /** Local index of the slave node in nodal vectors. */
+    unsigned int
+    node(const unsigned int k) const;
+
+    bool
+    in_contact(const unsigned int k) const;
+
+    /** Integral of the dual basis function, zero off contact. */
+    const std::vector<double> &
+    weights() const;
+
+    /** Normal stress, Pa, compression positive. */
+    const std::vector<double> &
+    normal_stress() const;
+
+    /** The positions of the nodes that are in contact, in the order of the
+     * terms of friction(). */
+    const std::vector<unsigned int> &
+    contact() const;
+
+    /** The functional of friction. */
+    FaultFriction<dim> &
+    friction();
+
+    const FaultFriction<dim> &
+    friction() const;
+
+    /** Hand the state of all slave nodes to the functional. */
+    void
+    set_state(const std::vector<double> &alpha);
+
+    /** The tangential jump at each slave node from a vector of the jump basis,
+     * slave relative to master; zero off contact. */
+    std::vector<Tensor<1, dim - 1>>
+    tangential_jumps(const NodalVector &w) const;
+
+    /** The norm in L2(faults), sqrt(sum weight value^2), of an array over the
+     * slave nodes; nodes off contact do not count. */
+    double
+    l2_norm(const std::vector<double> &values) const;
+
+  private:
+    std::vector<FaultLaw>               laws;
+    std::vector<unsigned int>           first;
+    std::vector<unsigned int>           fault_of_node;
+    std::vector<unsigned int>           nodes;
+    std::vector<bool>                   active;
+    std::vector<double>                 node_weights;
+    std::vector<double>                 stresses;
+    std::vector<unsigned int>           contact_positions;
+    std::unique_ptr<FaultFriction<dim>> functional;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_spatial_problem_h
+#define stickslip_time_spatial_problem_h
+
+#include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/mechanics/material.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/mortar/jump_basis.h>
+#include <stickslip/tnnmg/level_hierarchy.h>
+
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The problem after discretisation in space,
+   *
+   *   M u_tt + C u_t + K u + friction = f,
+   *
+   * in the jump basis that belongs to the current contact mapping, with the
+   * level hierarchy of M, C and K. Vectors of displacement, velocity and load
+   * are nodal; the hierarchy works on unknowns w of the jump basis, u = B w.
+   */
+  template <int dim>
+  class SpatialProblem
+  {
+  public:
+    /** Positions of the terms in the hierarchy. */
+    enum Term : unsigned int
+    {
+      mass      = 0,
+      damping   = 1,
+      stiffness = 2
+    };
+
+    /** @p materials from the lowest body to the highest; @p gravity in
+     * m/s^2. */
+    SpatialProblem(const MeshHierarchy<dim>    &meshes,
+                   const std::vector<Material> &materials,
+                   BoundaryValues<dim>         &boundary_values,
+                   const double                 gravity);
+
+    /**
+     * Couple the faults as they are after a displacement, with everything that
+     * depends on it. Throws if the sides of a fault do not touch any more.
+     */
+    void
+    build_contact(const NodalVector &displacement);
+
+    const MeshHierarchy<dim> &
+    meshes() const;
+
+    LevelHierarchy<dim> &
+    hierarchy();
+
+    const LevelHierarchy<dim> &
+    hierarchy() const;
+
+    /** The jump basis of the finest level. */
+    const JumpBasis<dim> &
+    jump_basis() const;
+
+    /** w = B^-1 u. */
+    void
+    to_jumps(NodalVector &w, const NodalVector &u) const;
+
+    /** u = B w. */
+    void
+    to_nodal(NodalVector &u, const NodalVector &w) const;
+
+    /** The load at @p time as a dual vector of the jump basis, B^T f. */
+    NodalVector
+    load(const double time);
+
+    BoundaryValues<dim> &
+    boundary_values();
+
+    NodalVector
+    make_vector() const;
+
+    /** Number of times build_contact() was called. */
+    unsigned int
+    n_builds() const;
+
+  private:
+    const MeshHierarchy<dim>            &mesh_hierarchy;
+    BoundaryValues<dim>                 &boundary;
+    std::vector<FaultSides>              sides;
+    std::vector<BlockMatrix<dim>>        nodal_terms;
+    NodalVector                          gravity_load;
+    std::vector<NodeMask>                dirichlet_masks;
+    std::unique_ptr<JumpBasis<dim>>      finest_basis;
+    std::unique_ptr<LevelHierarchy<dim>> levels;
+    unsigned int                         builds = 0;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_level_hierarchy_h
+#define stickslip_tnnmg_level_hierarchy_h
+
+#include <stickslip/algebra/galerkin_product.h>
+#include <stickslip/tnnmg/coarse_solver.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * What the solver is told of one level.
+   */
+  struct LevelDescription
+  {
+    NodePartition nodes;
+
+    /** From the next coarser level to this one; empty on the coarsest. */
+    TransferMatrix prolongation;
+
+    /** The components that never take part. */
+    NodeMask fixed;
+
+    /**
+     * The nodes with a nonsmooth term, in ascending order; on the coarser
+     * levels the nodes that stand for such nodes. A component of such a
+     * coarse node is truncated if it is at all its fine neighbours of the
+     * same kind.
+     */
+    std::vector<unsigned int> nonsmooth_nodes;
+  };
+
+  /**
+   * The levels of a multigrid method for operators
+   *
+   *   A = sum_k coefficients[k] * terms[k],    plus S (A + H) S,
+   *
+   * where H is the second derivative of a nonsmooth functional, block diagonal
+   * at the nonsmooth nodes, and S sets the masked and the truncated components
+   * to zero. Coarse operators are Galerkin products. Those of the terms are
+   * computed once; a change of the coefficients costs a linear combination on
+   * each level, a change of H or S the products of the rows near the nonsmooth
+   * nodes.
+   */
+  template <int dim>
+  class LevelHierarchy
+  {
+  public:
+    /** The coarsest level first. */
+    explicit LevelHierarchy(std::vector<LevelDescription> descriptions);
+
+    LevelHierarchy(const LevelHierarchy &) = delete;
+
+    LevelHierarchy &
+    operator=(const LevelHierarchy &) = delete;
+
+    /** The terms on the finest level; all share one sparsity. */
+    void
+    set_terms(std::vector<BlockMatrix<dim>> terms);
+
+    /** Set the operator A. */
+    void
+    combine(const std::vector<double> &coefficients);
+
+    /**
+     * Set H, one block for each nonsmooth node of the finest level, and the
+     * components that take part in the linear problem (none of the fixed
+     * ones).
+     */
+    void
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active);
+
+    /** x = approximation of (S (A + H) S)^-1 b by one V-cycle, symmetric. */
+    void
+    v_cycle(NodalVector &x, const NodalVector &b);
+
+    /** y = S (A + H) S x for x = S x. */
+    void
+    vmult_linearised(NodalVector &y, const NodalVector &x) const;
+
+    /** The operator A on the finest level. */
+    const BlockMatrix<dim> &
+    matrix() const;
+
+    /** One of the terms on the finest level. */
+    const BlockMatrix<dim> &
+    term(const unsigned int k) const;
+
+    /** Inverses of the diagonal blocks on the finest level, restricted to the
+     * components that are not fixed; dim * dim numbers a node. Of no meaning
+     * at nonsmooth nodes. */
+    const AlignedVector<double> &
+    inverse_diagonal() const;
+
+    const LevelDescription &
+    finest() const;
+
+    unsigned int
+    n_levels() const;
+
+    /** Number of sweeps before and after the coarse grid correction. */
+    void
+    set_smoothing_sweeps(const unsigned int sweeps);
+
+    /** Number of V-cycles since the construction. */
+    unsigned long
+    n_cycles() const;
+
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    struct Level
+    {
+      LevelDescription description;
+
+      GalerkinProduct<dim>          to_coarser;
+      std::vector<BlockMatrix<dim>> terms;
+      BlockMatrix<dim>              matrix;
+      AlignedVector<double>         inverse_diagonal;
+
+      /** The rows that a change of H or of the truncation can touch. */
+      std::vector<unsigned int> strip;
+      NodeMask                  active;
+
+      NodalVector solution, rhs, residual;
+    };
+
+    void
+    find_strips();
+
+    NodeMask
+    coarsen_mask(const unsigned int l, const NodeMask &fine) const;
+
+    void
+    cycle(const unsigned int l, NodalVector &x, const NodalVector &b);
+
+    std::vector<Level>          levels;
+    CoarseSolver<dim>           coarse_solver;
+    std::vector<Tensor<2, dim>> current_hessians;
+    bool                        is_linearised = false;
+    unsigned int                sweeps        = 1;
+    unsigned long               cycle_count   = 0;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_nonlinear_gauss_seidel_h
+#define stickslip_tnnmg_nonlinear_gauss_seidel_h
+
+#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/tnnmg/nonsmooth_functional.h>
+
+namespace StickSlip
+{
+  /**
+   * One sweep of block Gauss-Seidel in ascending order for the minimisation of
+   *
+   *   1/2 w . A w - b . w + phi(w)
+   *
+   * over the components that are not fixed: exact minimisation node after
+   * node, by the inverse of the diagonal block where phi has no term and by
+   * phi's own local minimiser where it has one. The energy never increases.
+   */
+  template <int dim>
+  void
+  nonlinear_gauss_seidel(const LevelHierarchy<dim>      &hierarchy,
+                         const NonsmoothFunctional<dim> &functional,
+                         const NodalVector              &b,
+                         NodalVector                    &w);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/algebra/block_matrix.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  BlockSparsity::BlockSparsity(std::vector<std::vector<unsigned int>> rows)
+  {
+    row_start.reserve(rows.size() + 1);
+    diagonal.reserve(rows.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        std::vector<unsigned int> &row = rows[i];
+        row.push_back(i);
+        std::sort(row.begin(), row.end());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+        const auto own = std::lower_bound(row.begin(), row.end(), i);
+        diagonal.push_back(column.size() + (own - row.begin()));
+        column.insert(column.end(), row.begin(), row.end());
+        row_start.push_back(column.size());
+        std::vector<unsigned int>().swap(row);
+      }
+  }
+
+
+
+  unsigned int
+  BlockSparsity::n_rows() const
+  {
+    return row_start.size() - 1;
+  }
+
+
+
+  std::size_t
+  BlockSparsity::n_entries() const
+  {
+    return column.size();
+  }
+
+
+
+  unsigned int
+  BlockSparsity::position(const unsigned int row, const unsigned int col) const
+  {
+    const auto begin = column.begin() + row_start[row];
+    const auto end   = column.begin() + row_start[row + 1];
+    const auto entry = std::lower_bound(begin, end, col);
+    Assert(entry != end && *entry == col,
+           ExcMessage("The sparsity pattern has no such entry."));
+    return entry - column.begin();
+  }
+
+
+
+  std::size_t
+  BlockSparsity::memory_consumption() const
+  {
+    return sizeof(unsigned int) *
+           (row_start.capacity() + column.capacity() + diagonal.capacity());
+  }
+
+
+
+  template <int dim>
+  BlockMatrix<dim>::BlockMatrix(
+    const std::shared_ptr<const BlockSparsity> &sparsity)
+    : pattern(sparsity)
+    , entries(sparsity->n_entries() * block_size)
+  {}
+
+
+
+  template <int dim>
+  const BlockSparsity &
+  BlockMatrix<dim>::sparsity() const
+  {
+    return *pattern;
+  }
+
+
+
+  template <int dim>
+  const std::shared_ptr<const BlockSparsity> &
+  BlockMatrix<dim>::shared_sparsity() const
+  {
+    return pattern;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BlockMatrix<dim>::n_rows() const
+  {
+    return pattern->n_rows();
+  }
+
+
+
+  template <int dim>
+  double *
+  BlockMatrix<dim>::block(const unsigned int position)
+  {
+    return entries.data() + std::size_t(position) * block_size;
+  }
+
+
+
+  template <int dim>
+  const double *
+  BlockMatrix<dim>::block(const unsigned int position) const
+  {
+    return entries.data() + std::size_t(position) * block_size;
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  BlockMatrix<dim>::diagonal_block(const unsigned int row) const
+  {
+    const double  *values = block(pattern->diagonal[row]);
+    Tensor<2, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[c][d] = values[c * dim + d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::set_diagonal_block(const unsigned int    row,
+                                       const Tensor<2, dim> &value)
+  {
+    double *values = block(pattern->diagonal[row]);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        values[c * dim + d] = value[c][d];
+  }
+
+
+
+  template <int dim>
+  AlignedVector<double> &
+  BlockMatrix<dim>::values()
+  {
+    return entries;
+  }
+
+
+
+  template <int dim>
+  const AlignedVector<double> &
+  BlockMatrix<dim>::values() const
+  {
+    return entries;
+  }
+
+
+
+  template <int dim>
+  Kernels::BlockRows
+  BlockMatrix<dim>::rows() const
+  {
+    return {pattern->row_start.data(), pattern->column.data(), entries.data()};
+  }
+
+
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::vmult(NodalVector &y, const NodalVector &x) const
+  {
+    Kernels::vmult<dim>(rows(), 0, n_rows(), x.begin(), y.begin());
+  }
+
+
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::residual(NodalVector       &r,
+                             const NodalVector &b,
+                             const NodalVector &x) const
+  {
+    Kernels::residual<dim>(
+      rows(), 0, n_rows(), b.begin(), x.begin(), r.begin());
+  }
+
+
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::combine(const std::vector<double> &coefficients,
+                            const std::vector<const BlockMatrix *> &terms)
+  {
+    AssertDimension(coefficients.size(), terms.size());
+    std::vector<const double *> pointers;
+    for (const BlockMatrix *term : terms)
+      {
+        Assert(term->pattern == pattern,
+               ExcMessage("Matrices of one family share their sparsity."));
+        pointers.push_back(term->entries.data());
+      }
+    Kernels::linear_combination(terms.size(),
+                                coefficients.data(),
+                                pointers.data(),
+                                entries.size(),
+                                entries.data());
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  BlockMatrix<dim>::memory_consumption() const
+  {
+    return sizeof(double) * entries.size();
+  }
+
+
+
+  template class BlockMatrix<2>;
+  template class BlockMatrix<3>;
+} // namespace StickSlip

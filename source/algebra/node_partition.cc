@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/algebra/node_partition.h>
+
+namespace StickSlip
+{
+  namespace
+  {
+    IndexSet
+    entries_of(const IndexSet &nodes, const unsigned int components)
+    {
+      IndexSet entries(nodes.size() * components);
+      for (auto interval = nodes.begin_intervals();
+           interval != nodes.end_intervals();
+           ++interval)
+        entries.add_range(*interval->begin() * components,
+                          (interval->last() + 1) * components);
+      entries.compress();
+      return entries;
+    }
+  } // namespace
+
+
+
+  NodePartition::NodePartition(const IndexSet    &owned,
+                               const IndexSet    &ghosts,
+                               const unsigned int components,
+                               const MPI_Comm    &communicator)
+    : components(components)
+    , node_partitioner(
+        std::make_shared<Utilities::MPI::Partitioner>(owned,
+                                                      ghosts,
+                                                      communicator))
+    , entry_partitioner(std::make_shared<Utilities::MPI::Partitioner>(
+        entries_of(owned, components),
+        entries_of(ghosts, components),
+        communicator))
+  {}
+
+
+
+  unsigned int
+  NodePartition::n_owned() const
+  {
+    return node_partitioner->locally_owned_size();
+  }
+
+
+
+  unsigned int
+  NodePartition::n_local() const
+  {
+    return node_partitioner->locally_owned_size() +
+           node_partitioner->n_ghost_indices();
+  }
+
+
+
+  types::global_dof_index
+  NodePartition::n_global() const
+  {
+    return node_partitioner->size();
+  }
+
+
+
+  unsigned int
+  NodePartition::n_components() const
+  {
+    return components;
+  }
+
+
+
+  const MPI_Comm &
+  NodePartition::communicator() const
+  {
+    return node_partitioner->get_mpi_communicator();
+  }
+
+
+
+  unsigned int
+  NodePartition::local_index(const types::global_dof_index node) const
+  {
+    return node_partitioner->global_to_local(node);
+  }
+
+
+
+  const std::shared_ptr<const Utilities::MPI::Partitioner> &
+  NodePartition::nodes() const
+  {
+    return node_partitioner;
+  }
+
+
+
+  NodalVector
+  NodePartition::make_vector() const
+  {
+    return NodalVector(entry_partitioner);
+  }
+} // namespace StickSlip

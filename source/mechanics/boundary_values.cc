@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <stickslip/mechanics/boundary_values.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  template <int dim>
+  BoundaryValues<dim>::BoundaryValues(
+    const MeshHierarchy<dim>                  &meshes,
+    const std::vector<BoundaryCondition<dim>> &conditions,
+    const std::vector<std::string>            &body_names)
+    : meshes(meshes)
+  {
+    const MeshLevel<dim> &finest    = meshes.finest();
+    const std::string     variables = dim == 2 ? "x,y,t" : "x,y,z,t";
+    for (const BoundaryCondition<dim> &condition : conditions)
+      {
+        Side side;
+        side.body =
+          std::find(body_names.begin(), body_names.end(), condition.body) -
+          body_names.begin();
+        AssertIndexRange(side.body, body_names.size());
+        side.condition = condition;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            side.values[c] = std::make_unique<FunctionParser<dim>>();
+            side.values[c]->initialize(variables,
+                                       condition.expression[c],
+                                       {{"pi", numbers::PI}},
+                                       /*time_dependent=*/true);
+          }
+        const FaultSurface<dim> surface =
+          finest.bodies[side.body]->surface(condition.side);
+        side.points = surface.points;
+        for (const auto dof : surface.dofs)
+          side.nodes.push_back(finest.node(side.body, dof));
+        sides.push_back(std::move(side));
+      }
+  }
+
+
+
+  template <int dim>
+  NodeMask
+  BoundaryValues<dim>::dirichlet_mask(const unsigned int l) const
+  {
+    const MeshLevel<dim> &level = meshes.level(l);
+    NodeMask              mask(level.nodes.n_local(), dim);
+    for (const Side &side : sides)
+      for (const auto dof :
+           level.bodies[side.body]->dofs_on_side(side.condition.side))
+        for (unsigned int c = 0; c < dim; ++c)
+          if (side.condition.type[c] == BoundaryType::fixed ||
+              side.condition.type[c] == BoundaryType::velocity)
+            if (const unsigned int node = level.node(side.body, dof);
+                mask.is_active(node, c))
+              mask.mask(node, c);
+    return mask;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryValues<dim>::set_velocities(const double time, NodalVector &velocity)
+  {
+    for (Side &side : sides)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          if (side.condition.type[c] == BoundaryType::velocity)
+            {
+              const double ramp = smooth_ramp(time, side.condition.ramp_length);
+              side.values[c]->set_time(time);
+              for (unsigned int k = 0; k < side.nodes.size(); ++k)
+                velocity.local_element(side.nodes[k] * dim + c) =
+                  ramp * side.values[c]->value(side.points[k]);
+            }
+          else if (side.condition.type[c] == BoundaryType::fixed)
+            for (const unsigned int node : side.nodes)
+              velocity.local_element(node * dim + c) = 0.;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryValues<dim>::add_tractions(const double time, NodalVector &load)
+  {
+    const MeshLevel<dim> &level = meshes.finest();
+    for (Side &side : sides)
+      {
+        if (std::none_of(side.condition.type.begin(),
+                         side.condition.type.end(),
+                         [](const BoundaryType type) {
+                           return type == BoundaryType::traction;
+                         }))
+          continue;
+        const BodyMesh<dim>   &body = *level.bodies[side.body];
+        const DoFHandler<dim> &dofs = body.dof_handler();
+        const double      ramp = smooth_ramp(time, side.condition.ramp_length);
+        FEFaceValues<dim> fe_values(dofs.get_fe(),
+                                    QGauss<dim - 1>(3),
+                                    update_values | update_quadrature_points |
+                                      update_JxW_values);
+        std::vector<types::global_dof_index> cell_dofs(fe_values.dofs_per_cell);
+        for (const auto &cell : dofs.active_cell_iterators())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() &&
+                cell->face(f)->boundary_id() == side.condition.side)
+              {
+                fe_values.reinit(cell, f);
+                cell->get_dof_indices(cell_dofs);
+                for (unsigned int c = 0; c < dim; ++c)
+                  if (side.condition.type[c] == BoundaryType::traction)
+                    {
+                      side.values[c]->set_time(time);
+                      for (const unsigned int q :
+                           fe_values.quadrature_point_indices())
+                        {
+                          const double traction =
+                            ramp * fe_values.JxW(q) *
+                            side.values[c]->value(
+                              fe_values.quadrature_point(q));
+                          for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+                            {
+                              // A hanging node hands its load to its masters.
+                              const double value =
+                                traction * fe_values.shape_value(i, q);
+                              const auto *masters =
+                                body.hanging_nodes().get_constraint_entries(
+                                  cell_dofs[i]);
+                              if (masters == nullptr)
+                                load.local_element(
+                                  level.node(side.body, cell_dofs[i]) * dim +
+                                  c) += value;
+                              else
+                                for (const auto &master : *masters)
+                                  load.local_element(
+                                    level.node(side.body, master.first) * dim +
+                                    c) += master.second * value;
+                            }
+                        }
+                    }
+              }
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryValues<dim>::longest_ramp() const
+  {
+    double longest = 0;
+    for (const Side &side : sides)
+      for (const BoundaryType type : side.condition.type)
+        if (type == BoundaryType::velocity || type == BoundaryType::traction)
+          longest = std::max(longest, side.condition.ramp_length);
+    return longest;
+  }
+
+
+
+  template class BoundaryValues<2>;
+  template class BoundaryValues<3>;
+} // namespace StickSlip

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <stickslip/mechanics/elastic_assembly.h>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /**
+     * The nodes and weights to which the value at a degree of freedom of a
+     * body is bound: itself, or the masters of a hanging node.
+     */
+    template <int dim>
+    TransferMatrix::Row
+    resolve(const MeshLevel<dim>         &level,
+            const unsigned int            body,
+            const types::global_dof_index dof)
+    {
+      const auto *masters =
+        level.bodies[body]->hanging_nodes().get_constraint_entries(dof);
+      if (masters == nullptr)
+        return {{level.node(body, dof), 1.}};
+      TransferMatrix::Row row;
+      for (const auto &master : *masters)
+        row.emplace_back(level.node(body, master.first), master.second);
+      return row;
+    }
+
+
+
+    /**
+     * Call @p visit(body, FEValues, rows) on each cell, with the nodes that
+     * its degrees of freedom resolve to.
+     */
+    template <int dim, typename Visitor>
+    void
+    for_each_cell(const MeshLevel<dim> &level,
+                  const UpdateFlags     flags,
+                  const Visitor        &visit)
+    {
+      for (unsigned int body = 0; body < level.bodies.size(); ++body)
+        {
+          const DoFHandler<dim> &dof_handler =
+            level.bodies[body]->dof_handler();
+          const QGauss<dim> quadrature(dof_handler.get_fe().degree + 1);
+          FEValues<dim>     fe_values(dof_handler.get_fe(),
+                                  quadrature,
+                                  flags | update_JxW_values);
+          std::vector<types::global_dof_index> dofs(fe_values.dofs_per_cell);
+          std::vector<TransferMatrix::Row>     rows(fe_values.dofs_per_cell);
+          for (const auto &cell : dof_handler.active_cell_iterators())
+            {
+              fe_values.reinit(cell);
+              cell->get_dof_indices(dofs);
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                rows[i] = resolve(level, body, dofs[i]);
+              visit(body, fe_values, rows);
+            }
+        }
+    }
+
+
+
+    template <int dim>
+    std::shared_ptr<const BlockSparsity>
+    make_sparsity(const MeshLevel<dim> &level)
+    {
+      std::vector<std::vector<unsigned int>> couplings(level.nodes.n_owned());
+      for_each_cell(level,
+                    update_default,
+                    [&](const unsigned int,
+                        const FEValues<dim> &,
+                        const std::vector<TransferMatrix::Row> &rows) {
+                      for (const auto &row_i : rows)
+                        for (const auto &row_j : rows)
+                          for (const auto &i : row_i)
+                            for (const auto &j : row_j)
+                              couplings[i.first].push_back(j.first);
+                    });
+      return std::make_shared<const BlockSparsity>(std::move(couplings));
+    }
+
+
+
+    /**
+     * The block of an isotropic form 2 mu eps(u):eps(v) + lambda div u div v
+     * for the shape functions with gradients @p gi (test) and @p gj.
+     */
+    template <int dim>
+    Tensor<2, dim>
+    isotropic_block(const double          lambda,
+                    const double          mu,
+                    const Tensor<1, dim> &gi,
+                    const Tensor<1, dim> &gj)
+    {
+      Tensor<2, dim> block;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            block[c][d] = lambda * gi[c] * gj[d] + mu * gi[d] * gj[c];
+          block[c][c] += mu * (gi * gj);
+        }
+      return block;
+    }
+
+
+
+    template <int dim>
+    void
+    add(BlockMatrix<dim>          &matrix,
+        const TransferMatrix::Row &row_i,
+        const TransferMatrix::Row &row_j,
+        const Tensor<2, dim>      &value)
+    {
+      for (const auto &i : row_i)
+        for (const auto &j : row_j)
+          {
+            double *block =
+              matrix.block(matrix.sparsity().position(i.first, j.first));
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                block[c * dim + d] += i.second * j.second * value[c][d];
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ElasticMatrices<dim>
+  assemble_elastic_matrices(const MeshLevel<dim>        &level,
+                            const std::vector<Material> &materials)
+  {
+    const auto           sparsity = make_sparsity(level);
+    ElasticMatrices<dim> result{BlockMatrix<dim>(sparsity),
+                                BlockMatrix<dim>(sparsity),
+                                BlockMatrix<dim>(sparsity)};
+    for_each_cell(
+      level,
+      update_values | update_gradients,
+      [&](const unsigned int                      body,
+          const FEValues<dim>                    &fe_values,
+          const std::vector<TransferMatrix::Row> &rows) {
+        const Material &material = materials[body];
+        const double    eta      = material.shear_viscosity;
+        // The deviatoric and the volumetric part of the viscous stress in the
+        // form of Lame parameters; the deviator is that of three dimensions,
+        // in plane strain too.
+        const double bulk_lambda = material.bulk_viscosity - 2. * eta / 3.;
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          for (unsigned int j = 0; j < rows.size(); ++j)
+            {
+              double         mass = 0;
+              Tensor<2, dim> stiffness, damping;
+              for (const unsigned int q : fe_values.quadrature_point_indices())
+                {
+                  const double          JxW = fe_values.JxW(q);
+                  const Tensor<1, dim> &gi  = fe_values.shape_grad(i, q);
+                  const Tensor<1, dim> &gj  = fe_values.shape_grad(j, q);
+                  mass += material.density * fe_values.shape_value(i, q) *
+                          fe_values.shape_value(j, q) * JxW;
+                  stiffness += JxW * isotropic_block(material.lame_lambda(),
+                                                     material.shear_modulus(),
+                                                     gi,
+                                                     gj);
+                  damping += JxW * isotropic_block(bulk_lambda, eta, gi, gj);
+                }
+              Tensor<2, dim> mass_block;
+              for (unsigned int c = 0; c < dim; ++c)
+                mass_block[c][c] = mass;
+              add(result.mass, rows[i], rows[j], mass_block);
+              add(result.stiffness, rows[i], rows[j], stiffness);
+              add(result.damping, rows[i], rows[j], damping);
+            }
+      });
+    return result;
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  assemble_gravity(const MeshLevel<dim>        &level,
+                   const std::vector<Material> &materials,
+                   const double                 acceleration)
+  {
+    NodalVector load = level.nodes.make_vector();
+    for_each_cell(level,
+                  update_values,
+                  [&](const unsigned int                      body,
+                      const FEValues<dim>                    &fe_values,
+                      const std::vector<TransferMatrix::Row> &rows) {
+                    for (unsigned int i = 0; i < rows.size(); ++i)
+                      {
+                        double integral = 0;
+                        for (const unsigned int q :
+                             fe_values.quadrature_point_indices())
+                          integral +=
+                            fe_values.shape_value(i, q) * fe_values.JxW(q);
+                        for (const auto &node : rows[i])
+                          load.local_element(node.first * dim + dim - 1) -=
+                            node.second * materials[body].density *
+                            acceleration * integral;
+                      }
+                  });
+    return load;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                          \
+  template struct ElasticMatrices<dim>;                                     \
+  template ElasticMatrices<dim> assemble_elastic_matrices<dim>(             \
+    const MeshLevel<dim> &, const std::vector<Material> &);                 \
+  template NodalVector assemble_gravity<dim>(const MeshLevel<dim> &,        \
+                                             const std::vector<Material> &, \
+                                             const double);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/time/fault_nodes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace StickSlip
+{
+  template <int dim>
+  FaultNodes<dim>::FaultNodes(const JumpBasis<dim>        &basis,
+                              const std::vector<FaultLaw> &laws,
+                              const std::vector<double>   &normal_stress)
+    : laws(laws)
+    , first{0}
+    , stresses(normal_stress)
+  {
+    AssertDimension(laws.size(), basis.faults().size());
+    for (unsigned int f = 0; f < basis.faults().size(); ++f)
+      {
+        const FaultContact<dim> &contact = basis.faults()[f];
+        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+          {
+            fault_of_node.push_back(f);
+            nodes.push_back(contact.slave_nodes[k]);
+            active.push_back(contact.coupling.active[k]);
+            node_weights.push_back(contact.coupling.weight[k]);
+          }
+        first.push_back(nodes.size());
+      }
+    AssertDimension(normal_stress.size(), nodes.size());
+
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (active[k])
+        contact_positions.push_back(k);
+    std::sort(contact_positions.begin(),
+              contact_positions.end(),
+              [&](const unsigned int k, const unsigned int m) {
+                return nodes[k] < nodes[m];
+              });
+
+    std::vector<unsigned int>                       term_nodes, law_indices;
+    std::vector<double>                             term_weights, term_stresses;
+    std::vector<std::shared_ptr<const FrictionLaw>> friction_laws;
+    for (const unsigned int k : contact_positions)
+      {
+        term_nodes.push_back(nodes[k]);
+        law_indices.push_back(fault_of_node[k]);
+        term_weights.push_back(node_weights[k]);
+        term_stresses.push_back(stresses[k]);
+      }
+    for (const FaultLaw &law : laws)
+      friction_laws.push_back(law.friction);
+    functional = std::make_unique<FaultFriction<dim>>(
+      term_nodes, term_weights, term_stresses, friction_laws, law_indices);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FaultNodes<dim>::size() const
+  {
+    return nodes.size();
+  }
+
+
+
+  template <int dim>
+  const std::vector<unsigned int> &
+  FaultNodes<dim>::first_of_fault() const
+  {
+    return first;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FaultNodes<dim>::fault(const unsigned int k) const
+  {
+    return fault_of_node[k];
+  }
+
+
+
+  template <int dim>
+  const FaultLaw &
+  FaultNodes<dim>::law(const unsigned int k) const
+  {
+    return laws[fault_of_node[k]];
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FaultNodes<dim>::node(const unsigned int k) const
+  {
+    return nodes[k];
+  }
+
+
+
+  template <int dim>
+  bool
+  FaultNodes<dim>::in_contact(const unsigned int k) const
+  {
+    return active[k];
+  }
+
+
+
+  template <int dim>
+  const std::vector<double> &
+  FaultNodes<dim>::weights() const
+  {
+    return node_weights;
+  }
+
+
+
+  template <int dim>
+  const std::vector<double> &
+  FaultNodes<dim>::normal_stress() const
+  {
+    return stresses;
+  }
+
+
+
+  template <int dim>
+  const std::vector<unsigned int> &
+  FaultNodes<dim>::contact() const
+  {
+    return contact_positions;
+  }
+
+
+
+  template <int dim>
+  FaultFriction<dim> &
+  FaultNodes<dim>::friction()
+  {
+    return *functional;
+  }
+
+
+
+  template <int dim>
+  const FaultFriction<dim> &
+  FaultNodes<dim>::friction() const
+  {
+    return *functional;
+  }
+
+
+
+  template <int dim>
+  void
+  FaultNodes<dim>::set_state(const std::vector<double> &alpha)
+  {
+    AssertDimension(alpha.size(), nodes.size());
+    std::vector<double> of_terms;
+    of_terms.reserve(contact_positions.size());
+    for (const unsigned int k : contact_positions)
+      of_terms.push_back(alpha[k]);
+    functional->set_state(of_terms);
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  FaultNodes<dim>::tangential_jumps(const NodalVector &w) const
+  {
+    std::vector<Tensor<1, dim - 1>> jumps(nodes.size());
+    for (const unsigned int k : contact_positions)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        jumps[k][d] = w.local_element(nodes[k] * dim + d);
+    return jumps;
+  }
+
+
+
+  template <int dim>
+  double
+  FaultNodes<dim>::l2_norm(const std::vector<double> &values) const
+  {
+    double sum = 0;
+    for (const unsigned int k : contact_positions)
+      sum += node_weights[k] * values[k] * values[k];
+    return std::sqrt(sum);
+  }
+
+
+
+  template class FaultNodes<2>;
+  template class FaultNodes<3>;
+} // namespace StickSlip

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/tnnmg/iteration_summary.h>
+
+#include <iomanip>
+
+namespace StickSlip
+{
+  double
+  IterationSummary::relative_correction() const
+  {
+    // An iterate of norm zero is exact if it does not move.
+    return correction_norm == 0. ? 0. : correction_norm / iterate_norm;
+  }
+
+
+
+  unsigned int
+  SolveSummary::n_cycles() const
+  {
+    unsigned int sum = 0;
+    for (const IterationSummary &iteration : iterations)
+      sum += iteration.cycles;
+    return sum;
+  }
+
+
+
+  std::ostream &
+  operator<<(std::ostream &out, const IterationSummary &summary)
+  {
+    const auto flags     = out.flags();
+    const auto precision = out.precision();
+    out << std::scientific << std::setprecision(3) << "decrease "
+        << summary.smoother_decrease << " + " << summary.correction_decrease
+        << ", relative correction " << summary.relative_correction()
+        << ", truncated " << summary.n_truncated << ", step length "
+        << std::fixed << summary.step_length << " ("
+        << summary.line_search_evaluations << " slopes), cycles "
+        << summary.cycles;
+    out.flags(flags);
+    out.precision(precision);
+    return out;
+  }
+
+
+
+  std::ostream &
+  operator<<(std::ostream &out, const SolveSummary &summary)
+  {
+    for (unsigned int k = 0; k < summary.iterations.size(); ++k)
+      out << "  TNNMG " << k + 1 << ": " << summary.iterations[k] << '\n';
+    return out;
+  }
+} // namespace StickSlip

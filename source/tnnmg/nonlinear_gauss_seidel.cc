@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/tnnmg/nonlinear_gauss_seidel.h>
+
+namespace StickSlip
+{
+  template <int dim>
+  void
+  nonlinear_gauss_seidel(const LevelHierarchy<dim>      &hierarchy,
+                         const NonsmoothFunctional<dim> &functional,
+                         const NodalVector              &b,
+                         NodalVector                    &w)
+  {
+    const BlockMatrix<dim> &matrix  = hierarchy.matrix();
+    const NodeMask         &fixed   = hierarchy.finest().fixed;
+    const double           *inverse = hierarchy.inverse_diagonal().data();
+    const std::vector<unsigned int> &nodes = functional.nodes();
+    const Kernels::BlockRows         A     = matrix.rows();
+
+    unsigned int next = 0;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const unsigned int i = nodes[k];
+        Kernels::gauss_seidel_forward<dim>(
+          A, inverse, next, i, b.begin(), w.begin());
+        next = i + 1;
+
+        double rest[dim];
+        Kernels::residual<dim>(
+          A, i, i + 1, b.begin(), w.begin(), rest - std::ptrdiff_t(i) * dim);
+
+        // Moving the part of the active components of this node to the left
+        // leaves what the minimiser is asked for.
+        const Tensor<2, dim>  diagonal = matrix.diagonal_block(i);
+        Tensor<1, dim>        start, r;
+        std::array<bool, dim> active;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            start[c]  = w.local_element(i * dim + c);
+            active[c] = fixed.is_active(i, c);
+          }
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            r[c] = rest[c];
+            for (unsigned int d = 0; d < dim; ++d)
+              if (active[d])
+                r[c] += diagonal[c][d] * start[d];
+          }
+        const Tensor<1, dim> v =
+          functional.minimise(k, diagonal, r, active, start);
+        for (unsigned int c = 0; c < dim; ++c)
+          if (active[c])
+            w.local_element(i * dim + c) = v[c];
+      }
+    Kernels::gauss_seidel_forward<dim>(
+      A, inverse, next, matrix.n_rows(), b.begin(), w.begin());
+  }
+
+
+
+  template void
+  nonlinear_gauss_seidel<2>(const LevelHierarchy<2> &,
+                            const NonsmoothFunctional<2> &,
+                            const NodalVector &,
+                            NodalVector &);
+  template void
+  nonlinear_gauss_seidel<3>(const LevelHierarchy<3> &,
+                            const NonsmoothFunctional<3> &,
+                            const NodalVector &,
+                            NodalVector &);
+} // namespace StickSlip
