@@ -4,6 +4,8 @@
 #ifndef stickslip_friction_rate_and_state_h
 #define stickslip_friction_rate_and_state_h
 
+#include <stickslip/friction/friction_law.h>
+
 namespace StickSlip
 {
   /**
@@ -32,6 +34,104 @@ namespace StickSlip
     double reference_slip_rate = 1e-6;
     /** Characteristic slip L, m. */
     double characteristic_slip = 2e-5;
+  };
+
+  /**
+   * Rate-and-state friction (Ruina 1983) at fixed state, in one of the two
+   * forms that are convex in V:
+   *
+   *   truncated:  mu = a max(0, ln(V/Vmin)),
+   *   arcsinh:    mu = a asinh(V / (2 Vmin)).
+   *
+   * The data of a node is ln(Vmin). Vmin itself is far outside the range of
+   * floating point numbers for perfectly ordinary states and is only formed
+   * where its under- or overflow does no harm.
+   */
+  class RateAndStateLaw : public FrictionLaw
+  {
+  public:
+    /**
+     * Constructor. Throws unless a, V0 and L are positive and all parameters
+     * are finite.
+     */
+    RateAndStateLaw(const RateAndStateParameters &parameters,
+                    const Regularisation          regularisation);
+
+    /**
+     * ln(Vmin / (1 m/s)), where
+     *
+     *   ln Vmin = ln V0 - (mu0 + b (alpha + ln(V0/L))) / a
+     *
+     * is the logarithm of the slip rate at which the unregularised law has
+     * mu = 0.
+     */
+    double
+    log_minimal_slip_rate(const double alpha) const;
+
+    /**
+     * The same as log_minimal_slip_rate().
+     */
+    double
+    node_data(const double alpha) const override;
+
+    double
+    coefficient(const double V,
+                const double log_minimal_slip_rate) const override;
+
+    double
+    derivative(const double V,
+               const double log_minimal_slip_rate) const override;
+
+    double
+    potential(const double V,
+              const double log_minimal_slip_rate) const override;
+
+    /**
+     * True for the arcsinh form, and for V > Vmin in the truncated one.
+     */
+    bool
+    is_smooth(const double V,
+              const double log_minimal_slip_rate) const override;
+
+    /**
+     * Truncated: V = r/c up to Vmin, above it by wright_omega(). Arcsinh:
+     * Newton's method in asinh(V / (2 Vmin)), where the equation is convex,
+     * from an upper bound that is less than about one too large.
+     */
+    double
+    minimiser(const double c,
+              const double r,
+              const double k,
+              const double log_minimal_slip_rate) const override;
+
+    /**
+     * z = mu / a: max(0, ln(V/Vmin)) or asinh(V / (2 Vmin)). Well above Vmin
+     * this is the logarithm of the slip rate up to a constant; unlike the
+     * logarithm it stays regular at V = 0.
+     */
+    double
+    scaled_coefficient(const double V,
+                       const double log_minimal_slip_rate) const;
+
+    /**
+     * d mu / d alpha at fixed V: b where the truncated form is active and zero
+     * elsewhere, b tanh(z) for the arcsinh form.
+     */
+    double
+    state_derivative(const double V, const double log_minimal_slip_rate) const;
+
+    const RateAndStateParameters &
+    get_parameters() const;
+
+    Regularisation
+    get_regularisation() const;
+
+  private:
+    const RateAndStateParameters parameters;
+    const Regularisation         regularisation;
+
+    /** ln V0 - (mu0 + b ln(V0/L)) / a: ln Vmin at alpha = 0. */
+    const double log_minimal_slip_rate_at_zero;
   };
 } // namespace StickSlip
 

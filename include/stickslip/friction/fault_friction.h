@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_friction_fault_friction_h
+#define stickslip_friction_fault_friction_h
+
+#include <deal.II/base/tensor.h>
+
+#include <stickslip/friction/friction_law.h>
+#include <stickslip/tnnmg/nonsmooth_functional.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * The friction of all faults, as a functional of the jumps of velocity at
+   * the slave nodes:
+   *
+   *   phi(v) = sum_p w_p sigma_n,p Phi_p(|v_t,p|; alpha_p),
+   *
+   * in W (per metre of thickness in two dimensions), where w_p is the integral
+   * of the slave basis function (m^(d-1)), sigma_n the normal stress (Pa,
+   * compression positive), and Phi the potential of the friction law. Its
+   * negative gradient is the frictional force on the slave side.
+   *
+   * The first d - 1 components of a node are tangential, the last one is
+   * normal to the fault and has no friction.
+   *
+   * Nodes of different faults may have different laws; the class knows nothing
+   * of what the laws are. No function of the NonsmoothFunctional interface
+   * allocates memory.
+   */
+  template <int dim>
+  class FaultFriction : public NonsmoothFunctional<dim>
+  {
+  public:
+    /**
+     * Constructor. All vectors but @p laws have one entry per friction node.
+     *
+     * @param nodes Local indices of the nodes, ascending.
+     * @param weights Integrals w_p of the slave basis functions, positive.
+     * @param normal_stresses See set_normal_stresses().
+     * @param laws The laws that occur, for instance one for each fault.
+     * @param law_indices For each node, the position of its law in @p laws.
+     *
+     * The state is alpha = 0 (theta = 1 s) until set_state() is called.
+     */
+    FaultFriction(const std::vector<unsigned int> &nodes,
+                  const std::vector<double>       &weights,
+                  const std::vector<double>       &normal_stresses,
+                  const std::vector<std::shared_ptr<const FrictionLaw>> &laws,
+                  const std::vector<unsigned int> &law_indices);
+
+    /**
+     * Set alpha = ln(theta / 1 s) at each node.
+     */
+    void
+    set_state(const std::vector<double> &alpha);
+
+    /**
+     * Set the normal stress at each node, Pa. Throws unless all are finite and
+     * none is negative: a fault under tension has no friction law.
+     */
+    void
+    set_normal_stresses(const std::vector<double> &normal_stresses);
+
+    /**
+     * The state as last set.
+     */
+    const std::vector<double> &
+    get_state() const;
+
+    /**
+     * The integrals of the slave basis functions.
+     */
+    const std::vector<double> &
+    get_weights() const;
+
+    /**
+     * The normal stresses as last set.
+     */
+    const std::vector<double> &
+    get_normal_stresses() const;
+
+    /**
+     * The law at term @p k.
+     */
+    const FrictionLaw &
+    law(const unsigned int k) const;
+
+    /**
+     * The data of the law at term @p k, FrictionLaw::node_data() of its state;
+     * ln(Vmin) for rate-and-state friction.
+     */
+    double
+    law_data(const unsigned int k) const;
+
+    /**
+     * The slip rate |v_t| of a node's jump of velocity, m/s.
+     */
+    static double
+    slip_rate(const Tensor<1, dim> &v);
+
+    const std::vector<unsigned int> &
+    nodes() const override;
+
+    double
+    value(const unsigned int k, const Tensor<1, dim> &v) const override;
+
+    double
+    directional_derivative(const unsigned int    k,
+                           const Tensor<1, dim> &v,
+                           const Tensor<1, dim> &direction) const override;
+
+    Tensor<1, dim>
+    gradient(const unsigned int k, const Tensor<1, dim> &v) const override;
+
+    /**
+     * Phi'' t t^T + Phi'/V (I - t t^T) on the tangential part, where
+     * t = v_t / V, times w_p sigma_n. Entries beyond 1e200 are set to that
+     * value, which keeps products with zero out of trouble.
+     */
+    Tensor<2, dim>
+    hessian(const unsigned int k, const Tensor<1, dim> &v) const override;
+
+    bool
+    is_smooth(const unsigned int k, const Tensor<1, dim> &v) const override;
+
+    bool
+    acts_on(const unsigned int k, const unsigned int component) const override;
+
+    /**
+     * Eliminates the normal component, if it is active, and solves for the
+     * tangential ones with the functions of local_problem.h.
+     */
+    Tensor<1, dim>
+    minimise(const unsigned int           k,
+             const Tensor<2, dim>        &A,
+             const Tensor<1, dim>        &r,
+             const std::array<bool, dim> &active,
+             const Tensor<1, dim>        &start) const override;
+
+  private:
+    /**
+     * What the functions of one node need, side by side in memory.
+     */
+    struct Term
+    {
+      const FrictionLaw *law;
+      /** FrictionLaw::node_data(). */
+      double data;
+      /** w_p sigma_n,p. */
+      double load;
+    };
+
+    const std::vector<unsigned int>                       node_indices;
+    const std::vector<double>                             weights;
+    const std::vector<std::shared_ptr<const FrictionLaw>> laws;
+
+    std::vector<double> normal_stresses;
+    std::vector<double> state;
+    std::vector<Term>   terms;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_friction_friction_law_h
+#define stickslip_friction_friction_law_h
+
+namespace StickSlip
+{
+  /**
+   * A pointwise friction law: the friction coefficient mu as a function of the
+   * slip rate V >= 0 (m/s), nondecreasing, so that its integral
+   *
+   *   Phi(V) = int_0^V mu(s) ds
+   *
+   * is convex. A law may also depend on the state alpha = ln(theta / 1 s) of
+   * the place where it acts. That dependence goes through one number per node,
+   * node_data(), which is computed once whenever the state changes and handed
+   * to all other functions. A law without state ignores it.
+   *
+   * A law with mu(0) > 0 (a threshold, as Coulomb's) is meant to return that
+   * value as coefficient(0, data): it is the one-sided derivative of Phi.
+   */
+  class FrictionLaw
+  {
+  public:
+    virtual ~FrictionLaw() = default;
+
+    /**
+     * What the law needs to know of a node with state @p alpha.
+     */
+    virtual double
+    node_data(const double alpha) const = 0;
+
+    /**
+     * The friction coefficient mu(V), dimensionless; at V = 0 the limit from
+     * above.
+     */
+    virtual double
+    coefficient(const double V, const double data) const = 0;
+
+    /**
+     * d mu / dV, s/m. Infinity where it exceeds the largest number.
+     */
+    virtual double
+    derivative(const double V, const double data) const = 0;
+
+    /**
+     * Phi(V), m/s.
+     */
+    virtual double
+    potential(const double V, const double data) const = 0;
+
+    /**
+     * Whether v -> Phi(|v|) is twice differentiable in a neighbourhood of
+     * |v| = V.
+     */
+    virtual bool
+    is_smooth(const double V, const double data) const = 0;
+
+    /**
+     * The minimiser V >= 0 of
+     *
+     *   1/2 c V^2 - r V + k Phi(V),   c > 0, r >= 0, k >= 0,
+     *
+     * exact up to rounding. Problems with other signs or in several
+     * dimensions are reduced to this one, see local_problem.h.
+     */
+    virtual double
+    minimiser(const double c,
+              const double r,
+              const double k,
+              const double data) const = 0;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/friction/rate_and_state.h>
+#include <stickslip/friction/wright_omega.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /**
+     * asinh(exp(x) / 2) without overflow.
+     */
+    double
+    asinh_half_exp(const double x)
+    {
+      return (x > 18.) ? x + std::exp(-2. * x) : std::asinh(0.5 * std::exp(x));
+    }
+
+    /**
+     * z - 1 + exp(-z) for z >= 0 without cancellation.
+     */
+    double
+    second_exponential_remainder(const double z)
+    {
+      if (z > 0.5)
+        return z + std::expm1(-z);
+      double term = 0.5 * z * z;
+      double sum  = term;
+      for (unsigned int n = 3; n < 16; ++n)
+        {
+          term *= -z / n;
+          sum += term;
+        }
+      return sum;
+    }
+
+    /**
+     * The solution of c V + k max(0, ln(V/Vmin)) = r with q = r/k.
+     */
+    double
+    minimiser_truncated(const double c,
+                        const double r,
+                        const double k,
+                        const double q,
+                        const double log_vmin)
+    {
+      if (r / c <= std::exp(log_vmin))
+        return r / c;
+
+      // With y = c V / k the equation is y + ln(y) = s.
+      const double y = wright_omega(q + (std::log(c / k) + log_vmin));
+      // Where friction carries nearly all of r, y has lost digits in units of
+      // itself but none in units of q.
+      return (y < 1.) ? std::exp(log_vmin + (q - y)) : k / c * y;
+    }
+
+    /**
+     * The solution of c V + k asinh(V / (2 Vmin)) = r with q = r/k.
+     */
+    double
+    minimiser_arcsinh(const double c,
+                      const double r,
+                      const double k,
+                      const double q,
+                      const double log_vmin)
+    {
+      // In z = asinh(V / (2 Vmin)) and with e = c Vmin / k, the equation is
+      // 2 e sinh(z) + z = q.
+      const double log_e = std::log(c / k) + log_vmin;
+
+      // Friction is below the last digit of r.
+      if (log_e > 40.)
+        return r / c;
+      const double twice_e = 2. * std::exp(log_e);
+
+      // Both terms are positive, so either alone bounds z from above. The
+      // function is convex, and Newton's method falls monotonically.
+      double z  = std::min(q, asinh_half_exp(std::log(q) - log_e));
+      double cv = 0.;
+      for (unsigned int i = 0; i < 50; ++i)
+        {
+          double slope;
+          if (z < 1.)
+            {
+              cv    = twice_e * std::sinh(z);
+              slope = twice_e * std::cosh(z);
+            }
+          else
+            {
+              const double growing    = std::exp(log_e + z);
+              const double decreasing = std::exp(log_e - z);
+              cv                      = growing - decreasing;
+              slope                   = growing + decreasing;
+            }
+          const double step = (cv + (z - q)) / (1. + slope);
+          z -= step;
+          // The next step would be of the order of the square of this one.
+          if (step < 1e-9 * std::min(z, 1.))
+            break;
+        }
+
+      if (cv >= 1.)
+        return k / c * (q - z);
+      else if (z >= 1.)
+        return std::exp(log_vmin + z) - std::exp(log_vmin - z);
+      else
+        return 2. * std::exp(std::min(log_vmin, 700.)) * std::sinh(z);
+    }
+  } // namespace
+
+
+
+  RateAndStateLaw::RateAndStateLaw(const RateAndStateParameters &parameters,
+                                   const Regularisation          regularisation)
+    : parameters(parameters)
+    , regularisation(regularisation)
+    , log_minimal_slip_rate_at_zero(
+        std::log(parameters.reference_slip_rate) -
+        (parameters.reference_friction +
+         parameters.b * std::log(parameters.reference_slip_rate /
+                                 parameters.characteristic_slip)) /
+          parameters.a)
+  {
+    AssertThrow(parameters.a > 0.,
+                dealii::ExcMessage(
+                  "The direct effect a of rate-and-state friction must be "
+                  "positive, but is " +
+                  std::to_string(parameters.a) + "."));
+    AssertThrow(parameters.reference_slip_rate > 0. &&
+                  parameters.characteristic_slip > 0.,
+                dealii::ExcMessage(
+                  "The reference slip rate V0 and the characteristic slip L of "
+                  "rate-and-state friction must be positive."));
+    AssertThrow(std::isfinite(log_minimal_slip_rate_at_zero) &&
+                  std::isfinite(parameters.b),
+                dealii::ExcMessage("The parameters of rate-and-state friction "
+                                   "must be finite."));
+  }
+
+
+
+  double
+  RateAndStateLaw::log_minimal_slip_rate(const double alpha) const
+  {
+    return log_minimal_slip_rate_at_zero - parameters.b / parameters.a * alpha;
+  }
+
+
+
+  double
+  RateAndStateLaw::node_data(const double alpha) const
+  {
+    return log_minimal_slip_rate(alpha);
+  }
+
+
+
+  double
+  RateAndStateLaw::scaled_coefficient(const double V,
+                                      const double log_vmin) const
+  {
+    const double x = std::log(V) - log_vmin;
+    return (regularisation == Regularisation::truncated) ? std::max(0., x) :
+                                                           asinh_half_exp(x);
+  }
+
+
+
+  double
+  RateAndStateLaw::coefficient(const double V, const double log_vmin) const
+  {
+    return parameters.a * scaled_coefficient(V, log_vmin);
+  }
+
+
+
+  double
+  RateAndStateLaw::derivative(const double V, const double log_vmin) const
+  {
+    if (regularisation == Regularisation::truncated)
+      return is_smooth(V, log_vmin) ? parameters.a / V : 0.;
+    else
+      return parameters.a / std::hypot(V, 2. * std::exp(log_vmin));
+  }
+
+
+
+  double
+  RateAndStateLaw::potential(const double V, const double log_vmin) const
+  {
+    const double z = scaled_coefficient(V, log_vmin);
+    // Both are V z minus the integral of V over z, written such that Vmin
+    // drops out: (cosh(z) - 1) / sinh(z) = tanh(z/2).
+    return parameters.a * V *
+           ((regularisation == Regularisation::truncated) ?
+              second_exponential_remainder(z) :
+              z - std::tanh(0.5 * z));
+  }
+
+
+
+  bool
+  RateAndStateLaw::is_smooth(const double V, const double log_vmin) const
+  {
+    return regularisation == Regularisation::arcsinh || std::log(V) > log_vmin;
+  }
+
+
+
+  double
+  RateAndStateLaw::minimiser(const double c,
+                             const double r,
+                             const double k,
+                             const double log_vmin) const
+  {
+    Assert(c > 0. && r >= 0. && k >= 0., dealii::ExcInternalError());
+    if (r == 0.)
+      return 0.;
+
+    const double ka = k * parameters.a;
+    const double q  = r / ka;
+    // No friction, or so little that nothing of it is left in r.
+    if (q > 1e300)
+      return r / c;
+    return (regularisation == Regularisation::truncated) ?
+             minimiser_truncated(c, r, ka, q, log_vmin) :
+             minimiser_arcsinh(c, r, ka, q, log_vmin);
+  }
+
+
+
+  double
+  RateAndStateLaw::state_derivative(const double V, const double log_vmin) const
+  {
+    if (regularisation == Regularisation::truncated)
+      return is_smooth(V, log_vmin) ? parameters.b : 0.;
+    else
+      return parameters.b * std::tanh(scaled_coefficient(V, log_vmin));
+  }
+
+
+
+  const RateAndStateParameters &
+  RateAndStateLaw::get_parameters() const
+  {
+    return parameters;
+  }
+
+
+
+  Regularisation
+  RateAndStateLaw::get_regularisation() const
+  {
+    return regularisation;
+  }
+} // namespace StickSlip
