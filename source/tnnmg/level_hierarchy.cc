@@ -85,6 +85,7 @@ namespace StickSlip
         level.matrix = BlockMatrix<dim>(level.terms.front().shared_sparsity());
         level.inverse_diagonal.resize(level.matrix.n_rows() * dim * dim);
       }
+    current_coefficients.clear();
     find_strips();
   }
 
@@ -131,6 +132,9 @@ namespace StickSlip
   void
   LevelHierarchy<dim>::combine(const std::vector<double> &coefficients)
   {
+    if (coefficients == current_coefficients)
+      return;
+    current_coefficients = coefficients;
     for (Level &level : levels)
       {
         std::vector<const BlockMatrix<dim> *> terms;

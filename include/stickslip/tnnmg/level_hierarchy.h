@@ -141,6 +141,7 @@ namespace StickSlip
 
     std::vector<Level>          levels;
     CoarseSolver<dim>           coarse_solver;
+    std::vector<double>         current_coefficients;
     std::vector<Tensor<2, dim>> current_hessians;
     bool                        is_linearised = false;
     unsigned int                sweeps        = 1;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_embedded_control_h
+#define stickslip_time_embedded_control_h
+
+#include <stickslip/time/step_size_control.h>
+
+namespace StickSlip
+{
+  /**
+   * Step size control by an error estimate from the history, at one solve a
+   * step. Two quantities of each contact node are compared with their
+   * extrapolations over steps h (the current one), h1 and h2:
+   *
+   *   state:     e = (alpha - AB2) / (3 (1 + h1/h)), where AB2 is the
+   *              Adams-Bashforth prediction from the last two state rates;
+   *   traction:  e = (mu - extrapolated) / max(a, b) * c0 / (cc + c0), where mu
+   * is the friction coefficient with the sign of the slip rate, c0 = h^3/12 and
+   * cc = h (h + h1) (h + h1 + h2) / 6.
+   *
+   * Both are Milne's device: the known ratio of the error constants of the
+   * step and of its prediction. The error is the L2(fault) norm of both; the
+   * next size is 0.8 (tolerance / error)^(1/3) times the last, between a
+   * fifth and twice, and does not grow right after a rejection.
+   */
+  template <int dim>
+  class EmbeddedControl : public StepSizeController<dim>
+  {
+  public:
+    using StepSizeController<dim>::StepSizeController;
+
+    std::vector<StepResult<dim>>
+    advance(const SystemState<dim> &state) override;
+
+  private:
+    /** What is remembered of an accepted state. */
+    struct Past
+    {
+      double              time = 0;
+      NodalVector         velocity;
+      std::vector<double> state_rate;
+      std::vector<double> friction;
+    };
+
+    Past
+    remember(const SystemState<dim> &state) const;
+
+    /** The Adams-Bashforth prediction over a step tau from the last state. */
+    std::vector<double>
+    predict_alpha(const SystemState<dim> &state, const double tau) const;
+
+    double
+    estimate_error(const SystemState<dim>    &to,
+                   const std::vector<double> &predicted_alpha) const;
+
+    /** The newest first; three at most. */
+    std::vector<Past> history;
+    bool              just_rejected = false;
+  };
+} // namespace StickSlip
+
+#endif

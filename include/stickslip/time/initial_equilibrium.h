@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_initial_equilibrium_h
+#define stickslip_time_initial_equilibrium_h
+
+#include <stickslip/time/spatial_problem.h>
+
+namespace StickSlip
+{
+  /**
+   * The static equilibrium under gravity with all faults stuck, from which a
+   * run starts.
+   */
+  template <int dim>
+  struct InitialEquilibrium
+  {
+    /** Nodal displacement, m. */
+    NodalVector displacement;
+
+    /**
+     * Contact pressure at each slave node, Pa, compression positive: the
+     * force that keeps the normal jump at zero over the node's weight. Slave
+     * nodes off contact have the value of the nearest node in contact.
+     */
+    std::vector<double> contact_pressure;
+
+    unsigned int iterations = 0;
+  };
+
+  /**
+   * Solve for it by CG with a V-cycle. Prescribed velocities count as zero
+   * displacements. Throws if the iteration does not converge.
+   */
+  template <int dim>
+  InitialEquilibrium<dim>
+  solve_initial_equilibrium(SpatialProblem<dim> &problem);
+} // namespace StickSlip
+
+#endif

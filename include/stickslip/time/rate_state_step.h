@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_rate_state_step_h
+#define stickslip_time_rate_state_step_h
+
+#include <stickslip/time/fault_nodes.h>
+#include <stickslip/time/newmark.h>
+#include <stickslip/time/time_parameters.h>
+#include <stickslip/tnnmg/tnnmg_solver.h>
+
+namespace StickSlip
+{
+  /**
+   * Where the iteration of a step starts.
+   */
+  template <int dim>
+  struct Prediction
+  {
+    NodalVector         velocity;
+    std::vector<double> alpha;
+  };
+
+  /**
+   * One time step: the rate problem, a convex minimisation for the velocity at
+   * fixed state, coupled with the state problem, an update of the state at
+   * fixed slip rate.
+   *
+   * The nested iteration solves the rate problem, updates the state and starts
+   * again. The interleaved one updates the state after every single iteration
+   * of the rate solver and stops when both have settled.
+   *
+   * A step never changes the state that it starts from; what does not
+   * converge is reported, not used.
+   */
+  template <int dim>
+  class RateStateStep
+  {
+  public:
+    RateStateStep(SpatialProblem<dim>   &problem,
+                  FaultNodes<dim>       &fault_nodes,
+                  const TimeParameters  &time_parameters,
+                  const TNNMGParameters &tnnmg_parameters);
+
+    /** To be called after the contact mapping has been rebuilt. */
+    void
+    reinit();
+
+    /** A step of size @p tau from @p from, begun at @p prediction, if any. */
+    StepResult<dim>
+    take(const SystemState<dim> &from,
+         const double            tau,
+         const Prediction<dim>  *prediction = nullptr);
+
+    /** Work of all steps so far, those that failed included. */
+    const StepCounts &
+    total_counts() const;
+
+    /** Number of steps taken, those that failed included. */
+    unsigned long
+    n_steps() const;
+
+  private:
+    /** The state at the end of the step if the slip rates are those of w. */
+    std::vector<double>
+    update_state(const SystemState<dim> &from,
+                 const NodalVector      &w,
+                 const double            tau) const;
+
+    SpatialProblem<dim>              &problem;
+    FaultNodes<dim>                  &faults;
+    const TimeParameters             &time_parameters;
+    const TNNMGParameters            &tnnmg_parameters;
+    std::unique_ptr<TNNMGSolver<dim>> solver;
+    StepCounts                        totals;
+    unsigned long                     steps = 0;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/time/rate_state_step.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace StickSlip
+{
+  template <int dim>
+  RateStateStep<dim>::RateStateStep(SpatialProblem<dim>   &problem,
+                                    FaultNodes<dim>       &fault_nodes,
+                                    const TimeParameters  &time_parameters,
+                                    const TNNMGParameters &tnnmg_parameters)
+    : problem(problem)
+    , faults(fault_nodes)
+    , time_parameters(time_parameters)
+    , tnnmg_parameters(tnnmg_parameters)
+  {
+    reinit();
+  }
+
+
+
+  template <int dim>
+  void
+  RateStateStep<dim>::reinit()
+  {
+    solver =
+      std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(), tnnmg_parameters);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RateStateStep<dim>::update_state(const SystemState<dim> &from,
+                                   const NodalVector      &w,
+                                   const double            tau) const
+  {
+    const std::vector<Tensor<1, dim - 1>> slip_rate =
+      faults.tangential_jumps(w);
+    std::vector<double> alpha(from.alpha.size());
+    for (unsigned int k = 0; k < alpha.size(); ++k)
+      {
+        const FaultLaw &law = faults.law(k);
+        const double    V =
+          time_parameters.state_update == StateUpdate::exponential ?
+               0.5 * (from.slip_rate[k].norm() + slip_rate[k].norm()) :
+               slip_rate[k].norm();
+        alpha[k] = updated_state(law.state_law,
+                                 time_parameters.state_update,
+                                 from.alpha[k],
+                                 V,
+                                 law.characteristic_slip,
+                                 tau);
+      }
+    return alpha;
+  }
+
+
+
+  template <int dim>
+  StepResult<dim>
+  RateStateStep<dim>::take(const SystemState<dim> &from,
+                           const double            tau,
+                           const Prediction<dim>  *prediction)
+  {
+    StepResult<dim> result;
+    result.step_size         = tau;
+    SystemState<dim> &to     = result.state;
+    StepCounts       &counts = result.counts;
+    to.time                  = from.time + tau;
+    to.alpha                 = prediction ? prediction->alpha : from.alpha;
+    const NodalVector rhs    = Newmark::right_hand_side(problem, from, tau);
+
+    // The unknown starts from the prediction, with what is prescribed.
+    to.velocity = prediction ? prediction->velocity : from.velocity;
+    problem.boundary_values().set_velocities(to.time, to.velocity);
+    NodalVector w = problem.make_vector();
+    problem.to_jumps(w, to.velocity);
+    for (const unsigned int p : problem.jump_basis().contact_nodes())
+      w.local_element(p * dim + dim - 1) = 0.;
+
+    problem.hierarchy().combine(Newmark::operator_coefficients(tau));
+    solver->start(rhs, w);
+    const bool nested =
+      (time_parameters.rate_state_method == RateStateMethod::nested);
+    while (!result.converged && result.failure.empty())
+      {
+        faults.set_state(to.alpha);
+        SolveSummary rate;
+        if (nested)
+          {
+            rate = solver->solve(faults.friction(), rhs, w);
+            if (!rate.converged)
+              result.failure = "the rate problem was not solved within " +
+                               std::to_string(rate.iterations.size()) +
+                               " iterations";
+          }
+        else
+          {
+            rate.iterations.push_back(
+              solver->iterate(faults.friction(), rhs, w));
+            rate.converged = solver->has_converged(rate.iterations.back());
+          }
+        if (tnnmg_parameters.print_iterations)
+          std::cout << rate;
+        ++counts.rate_state_iterations;
+        counts.tnnmg_iterations += rate.iterations.size();
+        counts.multigrid_cycles += rate.n_cycles();
+
+        std::vector<double> alpha  = update_state(from, w, tau);
+        std::vector<double> change = alpha;
+        for (unsigned int k = 0; k < change.size(); ++k)
+          change[k] -= to.alpha[k];
+        to.alpha                = std::move(alpha);
+        const double difference = faults.l2_norm(change);
+        if (!std::isfinite(difference) ||
+            !std::isfinite(rate.iterations.back().correction_norm))
+          result.failure = "the solution is not a number";
+        else if (result.failure.empty())
+          {
+            result.converged =
+              rate.converged &&
+              difference <= time_parameters.rate_state_tolerance;
+            if (!result.converged &&
+                counts.rate_state_iterations >=
+                  time_parameters.max_rate_state_iterations)
+              result.failure = "rate and state did not settle within " +
+                               std::to_string(counts.rate_state_iterations) +
+                               " iterations";
+          }
+      }
+    totals += counts;
+    ++steps;
+    if (!result.converged)
+      return result;
+
+    problem.to_nodal(to.velocity, w);
+    Newmark::complete(to, from, tau);
+    to.slip_rate = faults.tangential_jumps(w);
+    to.slip      = from.slip;
+    for (unsigned int k = 0; k < to.slip.size(); ++k)
+      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
+    if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
+      {
+        result.converged = false;
+        result.failure   = "the solution is not a number";
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  const StepCounts &
+  RateStateStep<dim>::total_counts() const
+  {
+    return totals;
+  }
+
+
+
+  template <int dim>
+  unsigned long
+  RateStateStep<dim>::n_steps() const
+  {
+    return steps;
+  }
+
+
+
+  template class RateStateStep<2>;
+  template class RateStateStep<3>;
+} // namespace StickSlip
