@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mortar_dual_mortar_h
+#define stickslip_mortar_dual_mortar_h
+
+#include <deal.II/base/point.h>
+
+#include <stickslip/mesh/fault_surface.h>
+
+#include <utility>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The coupling of the two sides of a fault by dual Lagrange multipliers on
+   * the slave side. Tractions are sum_p lambda_p psi_p with the dual functions
+   * of the active slave nodes p, which sum to one where the fault carries
+   * contact. The mean of the jump of a field u over psi_p is
+   *
+   *   1/weight_p int psi_p (u_s - u_m)
+   *     = averaging_factor_p (u_s,p - sum_q N_pq u_m,q - sum_k S_pk u_s,k)
+   *
+   * with master nodes q and inactive slave nodes k. Each row of (N, S) sums
+   * to one. The traction's virtual power at p is weight_p lambda_p times that
+   * mean, or weight_p averaging_factor_p lambda_p times the bracket.
+   *
+   * Away from inactive nodes S is empty, the averaging factor is one, and N
+   * = D^-1 M, which maps linear functions on the master nodes to their values
+   * at slave nodes.
+   *
+   * All vectors have one entry per slave node, in the order of the surface.
+   */
+  struct MortarCoupling
+  {
+    /** Column and value of the entries of a row, columns ascending. */
+    using SparseRow = std::vector<std::pair<unsigned int, double>>;
+
+    /** Whether the node carries contact. All else is zero or empty if not. */
+    std::vector<bool> active;
+
+    /** Integral of psi_p, m^(dim-1). The sum is covered_area. */
+    std::vector<double> weight;
+
+    /**
+     * int psi_p phi_p / int psi_p: one, or less next to inactive nodes, whose
+     * share of the weight the node has taken over.
+     */
+    std::vector<double> averaging_factor;
+
+    /** N: columns are positions in the arrays of the master surface. */
+    std::vector<SparseRow> master_rows;
+
+    /** S: columns are positions of inactive nodes on the slave surface. */
+    std::vector<SparseRow> inactive_slave_rows;
+
+    /**
+     * Area of the slave faces that lies opposite to master faces and carries
+     * contact, m^(dim-1). Zero: the two sides do not touch.
+     */
+    double covered_area = 0.;
+
+    /**
+     * Area that lies opposite to master faces but carries nothing, m^(dim-1):
+     * on slave faces without active nodes, and on those too thinly covered for
+     * a dual basis (see DualBasis::pivot_tolerance).
+     */
+    double lost_area = 0.;
+  };
+
+  /**
+   * A slave node is active if the integral of its shape function over the
+   * covered part of the slave surface is at least this fraction of that over
+   * all of it. At the end of a fault in two dimensions this means that half of
+   * the last face is covered. The value at a node is an extrapolation
+   * from the covered part, and the sum of |N_pq| grows with its distance: up to
+   * 5/3 inside, at most 4.6 at the end of a fault in two dimensions; it would
+   * be 12 with a fraction of 0.05.
+   */
+  constexpr double active_weight_fraction = 0.25;
+
+  /**
+   * Build the coupling for the current positions of the nodes in the (flat)
+   * fault plane, in m and in the order of the nodes of the two surfaces,
+   * which may be numbered and oriented in any way. The surfaces themselves
+   * must not have hanging nodes.
+   *
+   * Inactive are the slave nodes that are barely covered, see
+   * active_weight_fraction, and those that are @p excluded (because Dirichlet
+   * conditions hold them, say; empty: none). On faces that have both
+   * active and inactive nodes, the active ones take over the dual functions of
+   * the others. A face without any active node carries nothing; without
+   * excluded nodes the area lost that way is less than active_weight_fraction
+   * times the integral of the inactive nodes' shape functions, so less
+   * than that fraction of the area of the faces around them.
+   *
+   * All integrals of one face use the same quadrature points, exact for
+   * products of two shape functions on parallelograms. On other
+   * quadrilaterals the integrals are not exact, but biorthogonality,
+   * sums of rows and the reproduction of linear functions are.
+   *
+   * The surfaces may be apart: then covered_area is zero. Throws ExcMessage
+   * as compute_face_overlap() does.
+   */
+  template <int dim>
+  MortarCoupling
+  build_mortar_coupling(const FaultSurface<dim>           &slave,
+                        const std::vector<Point<dim - 1>> &slave_positions,
+                        const FaultSurface<dim>           &master,
+                        const std::vector<Point<dim - 1>> &master_positions,
+                        const std::vector<bool>           &excluded = {});
+} // namespace StickSlip
+
+#endif
