@@ -16,16 +16,20 @@ import sys
 # What each module may include besides itself: modules, or single headers.
 ALLOWED = {
     "algebra": (),
-    "mesh": ("algebra",),
-    "mechanics": ("mesh", "algebra"),
-    "friction": ("tnnmg/nonsmooth_functional.h",),
-    "mortar": ("mesh", "algebra"),
-    "tnnmg": ("algebra",),
-    "time": ("tnnmg", "friction", "mortar", "mechanics", "mesh", "algebra"),
-    "output": (),
+    "parameters": (),
+    "mesh": ("parameters", "algebra"),
+    "mechanics": ("parameters", "mesh", "algebra"),
+    "friction": ("parameters", "tnnmg/nonsmooth_functional.h"),
+    "mortar": ("parameters", "mesh", "algebra"),
+    "tnnmg": ("parameters", "algebra"),
+    "time": (
+        "parameters", "tnnmg", "friction", "mortar", "mechanics", "mesh",
+        "algebra",
+    ),
+    "output": ("parameters",),
     "simulation": (
-        "output", "time", "tnnmg", "friction",
-        "mortar", "mechanics", "mesh", "algebra",
+        "parameters", "output", "time", "tnnmg", "friction", "mortar",
+        "mechanics", "mesh", "algebra",
     ),
 }
 

@@ -77,7 +77,7 @@ def source_files(project):
     for folder in ("contrib", ".ci"):
         files.update(
             path
-            for path in (project / folder).iterdir()
+            for path in (project / folder).glob("*")
             if path.is_file() and path.suffix == ""
         )
     return sorted(files)
