@@ -55,10 +55,10 @@ namespace StickSlip
         return r / c;
 
       // With y = c V / k the equation is y + ln(y) = s.
-      const double y = wright_omega(q + (std::log(c / k) + log_vmin));
+      const double y = wright_omega(q + (std::log(c) - std::log(k) + log_vmin));
       // Where friction carries nearly all of r, y has lost digits in units of
       // itself but none in units of q.
-      return (y < 1.) ? std::exp(log_vmin + (q - y)) : k / c * y;
+      return (y < 1.) ? std::exp(log_vmin + (q - y)) : y * k / c;
     }
 
     /**
@@ -73,7 +73,7 @@ namespace StickSlip
     {
       // In z = asinh(V / (2 Vmin)) and with e = c Vmin / k, the equation is
       // 2 e sinh(z) + z = q.
-      const double log_e = std::log(c / k) + log_vmin;
+      const double log_e = std::log(c) - std::log(k) + log_vmin;
 
       // Friction is below the last digit of r.
       if (log_e > 40.)
@@ -106,8 +106,9 @@ namespace StickSlip
             break;
         }
 
-      if (cv >= 1.)
-        return k / c * (q - z);
+      // Where the matrix has its part in r, take it from there.
+      if (cv >= std::min(z, 1.))
+        return (q - z) * k / c;
       else if (z >= 1.)
         return std::exp(log_vmin + z) - std::exp(log_vmin - z);
       else
@@ -226,8 +227,9 @@ namespace StickSlip
 
     const double ka = k * parameters.a;
     const double q  = r / ka;
-    // No friction, or so little that nothing of it is left in r.
-    if (q > 1e300)
+    // z is the difference of two logarithms and cannot be that large, so that
+    // nothing of friction is left in r. This includes k = 0.
+    if (q > 1e30)
       return r / c;
     return (regularisation == Regularisation::truncated) ?
              minimiser_truncated(c, r, ka, q, log_vmin) :
