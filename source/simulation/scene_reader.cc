@@ -46,7 +46,7 @@ namespace StickSlip
               const std::string name =
                 entry.sections.size() == sections.size() ?
                   entry.name :
-                  entry.sections[sections.size()] + "/...";
+                  entry.sections[sections.size()] + "/";
               if (std::find(names.begin(), names.end(), name) == names.end())
                 names.push_back(name);
             }

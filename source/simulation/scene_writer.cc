@@ -6,6 +6,7 @@
 #include <stickslip/simulation/scene_declaration.h>
 #include <stickslip/simulation/scene_writer.h>
 
+#include <map>
 #include <ostream>
 #include <sstream>
 
@@ -24,20 +25,40 @@ namespace StickSlip
 
 
 
-    // A scene of three dimensions, which has all the entries, with names that
-    // stand for any name. Two bodies, so that there is a fault.
+    // A scene of three dimensions, which has all the entries. The names stand
+    // for any name. Two bodies, so that there is a fault.
     SceneParameters<3>
     placeholder_scene()
     {
       SceneParameters<3> scene;
       scene.bodies.resize(2);
-      scene.bodies[0].name = "<body>";
-      scene.bodies[1].name = "<body above>";
+      scene.bodies[0].name = "BODY";
+      scene.bodies[1].name = "BODY-ABOVE";
       scene.faults.resize(1);
-      scene.faults[0].name = "<fault>";
+      scene.faults[0].name = "FAULT";
       scene.boundary_conditions.resize(1);
-      scene.boundary_conditions[0].body = "<body>";
+      scene.boundary_conditions[0].body = "BODY";
       return scene;
+    }
+
+
+
+    std::string
+    displayed_section(const std::vector<std::string> &sections)
+    {
+      static const std::map<std::string, std::string> displayed = {
+        {"BODY", "<body>"},
+        {"FAULT", "<fault>"},
+        {"BODY left", "<body> <side>"}};
+
+      std::string joined;
+      for (const std::string &name : sections)
+        {
+          const auto place = displayed.find(name);
+          joined += (joined.empty() ? "" : "/") +
+                    (place == displayed.end() ? name : place->second);
+        }
+      return joined;
     }
   } // namespace
 
@@ -94,16 +115,9 @@ namespace StickSlip
     std::string current = "none yet";
     for (const DeclaredEntry &entry : declared_entries(prm))
       {
-        std::string section;
-        for (const std::string &name : entry.sections)
-          section += (section.empty() ? "" : "/") + name;
-        // The entries of all bodies are the same.
-        if (section.find("<body above>") != std::string::npos)
-          continue;
-        if (section.find("<body> ") != std::string::npos)
-          section.replace(section.find("<body> "),
-                          std::string::npos,
-                          "<body> <side>");
+        if (entry.sections.size() > 1 && entry.sections[1] == "BODY-ABOVE")
+          continue; // The entries of all bodies are the same.
+        const std::string section = displayed_section(entry.sections);
         if (section != current)
           {
             current = section;
