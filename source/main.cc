@@ -1,1 +1,117 @@
-int main(){return 0;}
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/parameters/input_error.h>
+#include <stickslip/simulation/command_line.h>
+#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/simulation/scene_writer.h>
+#include <stickslip/simulation/simulation.h>
+#include <stickslip/version.h>
+
+#include <chrono>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+  using namespace StickSlip;
+
+  template <int dim>
+  void
+  run(const SceneReader &reader)
+  {
+    const SceneParameters<dim> scene = reader.read<dim>();
+    Simulation<dim>            simulation(scene, MPI_COMM_WORLD);
+    simulation.run();
+  }
+
+
+
+  void
+  carry_out(const CommandLine &command_line, const bool may_print)
+  {
+    switch (command_line.task)
+      {
+        case CommandLine::Task::print_help:
+          if (may_print)
+            std::cout << command_line_help();
+          return;
+        case CommandLine::Task::print_version:
+          if (may_print)
+            std::cout << "stickslip " << version << std::endl;
+          return;
+        case CommandLine::Task::print_parameter_reference:
+          if (may_print)
+            print_parameter_reference(std::cout);
+          return;
+        case CommandLine::Task::run:
+          {
+            const SceneReader reader(command_line.parameter_file,
+                                     command_line.overrides);
+            if (reader.dimension() == 2)
+              run<2>(reader);
+            else
+              run<3>(reader);
+          }
+      }
+  }
+
+
+
+  // The message of an exception on one line, without deal.II's frame of where
+  // it was thrown.
+  std::string
+  sentence(const std::exception &error)
+  {
+    std::stringstream text;
+    if (const auto *const internal =
+          dynamic_cast<const dealii::ExceptionBase *>(&error))
+      internal->print_info(text);
+    else
+      text << error.what();
+
+    std::string line;
+    for (std::string word; text >> word;)
+      line += (line.empty() ? "" : " ") + word;
+    return line.empty() ? "an error without a message" : line;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const bool is_parallel =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+  try
+    {
+      carry_out(parse_command_line({argv + 1, argv + argc}), rank == 0);
+    }
+  catch (const InputError &error)
+    {
+      // All processes read the same input.
+      if (rank == 0)
+        std::cerr << "stickslip: " << error.what() << std::endl;
+      return 1;
+    }
+  catch (const std::exception &error)
+    {
+      // Usually all processes fail alike and one message is enough. If only
+      // this one does, the others must be stopped.
+      if (rank != 0)
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+      std::cerr << "stickslip: " << sentence(error) << std::endl;
+      if (is_parallel)
+        MPI_Abort(MPI_COMM_WORLD, 1);
+      return 1;
+    }
+  return 0;
+}

@@ -5,6 +5,7 @@
 #define stickslip_friction_fault_parameters_h
 
 #include <stickslip/friction/rate_and_state.h>
+#include <stickslip/friction/state_evolution.h>
 
 #include <deal.II/base/parameter_handler.h>
 

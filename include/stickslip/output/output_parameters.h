@@ -29,10 +29,10 @@ namespace StickSlip
     double fault_longest_interval = 0.5;
 
     /** The same for the VTU files. */
-    double volume_slip_rate_factor   = 100.;
-    double volume_shortest_interval  = 0.05;
-    double volume_longest_interval   = 5.;
-    bool   write_volume              = true;
+    double volume_slip_rate_factor  = 100.;
+    double volume_shortest_interval = 0.05;
+    double volume_longest_interval  = 5.;
+    bool   write_volume             = true;
 
     /** An event begins when the mean slip rate of a fault rises above this,
      * m/s; zero: twice the largest prescribed velocity. */

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_event_catalogue_h
+#define stickslip_output_event_catalogue_h
+
+#include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/fault_statistics.h>
+
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * One slip event of one fault.
+   */
+  struct SlipEvent
+  {
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    std::string fault;
+
+    /** Times, s; the end of an event that never ended is NaN. */
+    double start     = nan;
+    double peak_time = nan;
+    double end       = nan;
+
+    /** Largest mean slip rate, at the peak time, and largest slip rate of any
+     * node during the event, m/s. */
+    double peak_mean_slip_rate = 0;
+    double peak_slip_rate      = 0;
+
+    /** Growth of the mean slip during the event, m. */
+    double mean_slip = 0;
+
+    /** x of the fastest node when the fastest node's slip rate last rose above
+     * the threshold before the event, m. */
+    double nucleation_x = nan;
+  };
+
+  /**
+   * Finds the slip events in a sequence of accepted steps and writes
+   * events.csv, a row for each event as soon as it has ended.
+   *
+   * An event begins when the mean slip rate of a fault rises above a threshold
+   * and ends when it falls below a fraction of that. Both times are
+   * interpolated between the steps, linearly in the logarithm of the mean slip
+   * rate.
+   */
+  template <int dim>
+  class EventCatalogue
+  {
+  public:
+    /**
+     * @p start_slip_rate is the threshold in m/s, @p end_fraction the fraction
+     * of it at which an event ends. Throws InputError if the file cannot be
+     * written.
+     */
+    EventCatalogue(const std::string              &file_name,
+                   const std::vector<std::string> &fault_names,
+                   const double                    start_slip_rate,
+                   const double                    end_fraction);
+
+    /**
+     * Take in an accepted step; @p faults in the order of the names given
+     * first.
+     */
+    void
+    add(const double time, const std::vector<FaultSnapshot<dim>> &faults);
+
+    /**
+     * Write the events that have not ended, with an end of NaN and the slip so
+     * far. To be called once after the last step.
+     */
+    void
+    finish();
+
+    /**
+     * The events that have been written.
+     */
+    const std::vector<SlipEvent> &
+    events() const;
+
+  private:
+    struct FaultRecord
+    {
+      std::string     name;
+      bool            has_past = false;
+      double          time     = 0;
+      FaultStatistics statistics;
+      double          nucleation_x = FaultStatistics::nan;
+      bool            is_open      = false;
+      double          start_slip   = 0;
+      SlipEvent       event;
+    };
+
+    void
+    add(FaultRecord &record, const double time, const FaultStatistics &now);
+
+    void
+    write(const SlipEvent &event);
+
+    std::ofstream            file;
+    std::string              file_name;
+    double                   start_slip_rate;
+    double                   end_slip_rate;
+    std::vector<FaultRecord> records;
+    std::vector<SlipEvent>   written;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_fault_history_h
+#define stickslip_output_fault_history_h
+
+#include <stickslip/output/fault_snapshot.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * Writes faults.h5: the fields of all faults over time, in HDF5.
+   *
+   * One group per fault holds the data sets
+   *
+   *   coordinates     nodes x dim             reference positions, m
+   *   weight          nodes                   of the first record, m^(dim-1)
+   *   time            records                 s
+   *   slip            records x nodes [x 2]   m
+   *   slip_rate       records x nodes [x 2]   m/s
+   *   shear_traction  records x nodes [x 2]   Pa
+   *   normal_stress   records x nodes         Pa
+   *   state           records x nodes         s
+   *
+   * where the last extent of tangential vectors is there in three dimensions
+   * only. Each data set has the attributes `units` and `description`; the root
+   * group names the program, its version and the layout. The file is flushed
+   * after each record: it can be copied or read at any time, and what was
+   * recorded survives the end of the program, however that comes.
+   *
+   * Only one process may use an object of this class.
+   */
+  template <int dim>
+  class FaultHistory
+  {
+  public:
+    /**
+     * Create or replace the file. @p faults gives the names and nodes; a record
+     * is not made of it. Throws InputError if the file cannot be made.
+     */
+    FaultHistory(const std::string                     &file_name,
+                 const std::vector<FaultSnapshot<dim>> &faults);
+
+    ~FaultHistory();
+
+    /**
+     * Append a record; faults and nodes as in the constructor. Throws an
+     * exception if the file cannot be written.
+     */
+    void
+    add(const double time, const std::vector<FaultSnapshot<dim>> &faults);
+
+    unsigned int
+    n_records() const;
+
+  private:
+    class File;
+
+    std::unique_ptr<File> file;
+  };
+} // namespace StickSlip
+
+#endif

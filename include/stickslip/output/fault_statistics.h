@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_fault_statistics_h
+#define stickslip_output_fault_statistics_h
+
+#include <stickslip/output/fault_snapshot.h>
+
+#include <limits>
+
+namespace StickSlip
+{
+  /**
+   * What the tables say of one fault at one time. Only nodes in contact count;
+   * means are weighted by the nodes' weights, so that they are means over the
+   * area. All values are NaN where no node is in contact.
+   */
+  struct FaultStatistics
+  {
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    /** Magnitude of the slip rate, m/s. */
+    double max_slip_rate  = nan;
+    double mean_slip_rate = nan;
+    double min_slip_rate  = nan;
+
+    /** First tangential component of the slip, m. */
+    double mean_slip = nan;
+
+    /** State theta, s. */
+    double mean_state = nan;
+
+    /** First tangential component of the shear traction, Pa. */
+    double mean_shear_traction = nan;
+
+    /** x of the (first) node of largest slip rate, m. */
+    double x_of_max_slip_rate = nan;
+  };
+
+  /**
+   * The statistics of a fault.
+   */
+  template <int dim>
+  FaultStatistics
+  fault_statistics(const FaultSnapshot<dim> &fault);
+} // namespace StickSlip
+
+#endif

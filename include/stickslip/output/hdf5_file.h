@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_hdf5_file_h
+#define stickslip_output_hdf5_file_h
+
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /*
+   * The little of HDF5 that time series need, with handles that close
+   * themselves and errors that throw. deal.II's HDF5 classes cannot extend a
+   * data set.
+   */
+
+  /**
+   * Owner of an HDF5 handle.
+   */
+  class Hdf5Handle
+  {
+  public:
+    using Closer = herr_t (*)(hid_t);
+
+    /**
+     * Take over a handle; throws if it is invalid, with @p what in the message.
+     */
+    Hdf5Handle(const hid_t id, const Closer close, const std::string &what);
+
+    Hdf5Handle(Hdf5Handle &&other) noexcept;
+    Hdf5Handle(const Hdf5Handle &) = delete;
+    Hdf5Handle &
+    operator=(const Hdf5Handle &) = delete;
+
+    ~Hdf5Handle();
+
+    operator hid_t() const
+    {
+      return id;
+    }
+
+  private:
+    hid_t  id;
+    Closer close;
+  };
+
+  /**
+   * A data set of doubles that grows along its first extent.
+   */
+  class Hdf5Series
+  {
+  public:
+    /**
+     * Create it without records; @p record_shape is empty where a record is a
+     * single number.
+     */
+    Hdf5Series(const hid_t                 group,
+               const std::string          &name,
+               const std::vector<hsize_t> &record_shape);
+
+    /**
+     * Append a record, whose values run through the last extent fastest.
+     */
+    void
+    append(const std::vector<double> &record);
+
+    hid_t
+    id() const
+    {
+      return data_set;
+    }
+
+  private:
+    std::vector<hsize_t> shape;
+    Hdf5Handle           data_set;
+  };
+
+  /**
+   * Create a file, replacing an existing one. Others may read it meanwhile.
+   */
+  Hdf5Handle
+  create_hdf5_file(const std::string &file_name);
+
+  Hdf5Handle
+  create_hdf5_group(const hid_t parent, const std::string &name);
+
+  /**
+   * Write a data set of fixed shape.
+   */
+  Hdf5Handle
+  write_hdf5_array(const hid_t                 group,
+                   const std::string          &name,
+                   const std::vector<hsize_t> &shape,
+                   const std::vector<double>  &values);
+
+  void
+  write_hdf5_attribute(const hid_t        object,
+                       const std::string &name,
+                       const std::string &text);
+} // namespace StickSlip
+
+#endif

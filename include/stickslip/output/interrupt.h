@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_interrupt_h
+#define stickslip_output_interrupt_h
+
+#include <mpi.h>
+
+namespace StickSlip
+{
+  /**
+   * While an object of this class lives, the signals SIGINT (Ctrl-C) and
+   * SIGTERM do not end the program but are noted, so that the run can stop
+   * after the current step with all files complete. A second signal ends the
+   * program at once.
+   */
+  class Interrupt
+  {
+  public:
+    Interrupt();
+
+    ~Interrupt();
+
+    Interrupt(const Interrupt &) = delete;
+    Interrupt &
+    operator=(const Interrupt &) = delete;
+
+    /**
+     * Whether this process got a signal.
+     */
+    bool
+    is_requested() const;
+
+    /**
+     * Whether any process got a signal; the same answer everywhere.
+     * Collective.
+     */
+    bool
+    is_requested(const MPI_Comm communicator) const;
+
+  private:
+    using Handler = void (*)(int);
+    Handler previous_interrupt;
+    Handler previous_terminate;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_output_cadence_h
+#define stickslip_output_output_cadence_h
+
+namespace StickSlip
+{
+  /**
+   * Decides after which steps something is written: often while the slip rate
+   * changes fast, rarely while nothing happens.
+   */
+  class OutputCadence
+  {
+  public:
+    /**
+     * Write when the slip rate has changed by @p slip_rate_factor up or down
+     * since the last time, but not before @p shortest_interval has passed, and
+     * in any case after @p longest_interval; both in s.
+     */
+    OutputCadence(const double slip_rate_factor,
+                  const double shortest_interval,
+                  const double longest_interval);
+
+    /**
+     * Whether to write now, at the largest @p slip_rate of any fault in m/s.
+     * The first time always.
+     */
+    bool
+    is_due(const double time, const double slip_rate) const;
+
+    /**
+     * Something has been written.
+     */
+    void
+    note_written(const double time, const double slip_rate);
+
+  private:
+    double slip_rate_factor;
+    double shortest_interval;
+    double longest_interval;
+
+    bool   has_written    = false;
+    double last_time      = 0;
+    double last_slip_rate = 0;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_progress_h
+#define stickslip_output_progress_h
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace StickSlip
+{
+  /**
+   * Tells the user how far a run is: percent done, simulated time, step size,
+   * largest slip rate and estimated time left. On a terminal one line is
+   * rewritten, at most once a second; elsewhere plain lines follow each other,
+   * at most one in ten seconds.
+   */
+  class Progress
+  {
+  public:
+    /**
+     * @p clock gives the wall time in s; by default that of the machine.
+     */
+    Progress(std::ostream                 &out,
+             const bool                    is_terminal,
+             const double                  end_time,
+             const std::function<double()> clock = wall_clock);
+
+    /**
+     * Report an accepted step; prints if enough time has passed.
+     */
+    void
+    update(const double time, const double step_size, const double slip_rate);
+
+    /**
+     * Print the last report if it has not been, and end the line.
+     */
+    void
+    finish();
+
+    /**
+     * Whether the standard output is a terminal.
+     */
+    static bool
+    standard_output_is_terminal();
+
+  private:
+    static double
+    wall_clock();
+
+    void
+    print();
+
+    std::ostream           &out;
+    bool                    is_terminal;
+    double                  end_time;
+    std::function<double()> clock;
+
+    double start_of_run;
+    double last_print;
+
+    bool        has_report  = false;
+    bool        is_printed  = false;
+    double      time        = 0;
+    double      step_size   = 0;
+    double      slip_rate   = 0;
+    double      start_time  = 0;
+    bool        has_started = false;
+    std::size_t last_length = 0;
+  };
+
+  /**
+   * A duration in a form for people: 42 s, 3:05, 2:10:00.
+   */
+  std::string
+  duration(const double seconds);
+} // namespace StickSlip
+
+#endif

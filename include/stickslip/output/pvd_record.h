@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_pvd_record_h
+#define stickslip_output_pvd_record_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The list of VTU (or PVTU) files with their times that ParaView opens as one
+   * animation. The file is complete at any moment.
+   */
+  class PvdRecord
+  {
+  public:
+    explicit PvdRecord(const std::string &file_name);
+
+    /**
+     * Add a file that has been written, by its name relative to the list, and
+     * write the list. Throws InputError if that is impossible.
+     */
+    void
+    add(const double time, const std::string &vtu_file_name);
+
+  private:
+    std::string                                 file_name;
+    std::vector<std::pair<double, std::string>> entries;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_run_summary_h
+#define stickslip_output_run_summary_h
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * Named sections of lines `key  value`, written with the values aligned, as
+   * in summary.txt. Sections and keys keep the order of their first mention;
+   * a key given again in its section gets the new value.
+   */
+  class RunSummary
+  {
+  public:
+    void
+    add(const std::string &section,
+        const std::string &key,
+        const std::string &value);
+
+    /** A number with six significant digits and its unit, if any. */
+    void
+    add(const std::string &section,
+        const std::string &key,
+        const double       value,
+        const std::string &unit = "");
+
+    /** A count, with all its digits. */
+    void
+    add_count(const std::string       &section,
+              const std::string       &key,
+              const unsigned long long value);
+
+    void
+    print(std::ostream &out) const;
+
+    /**
+     * Write or replace the file. Throws InputError if that is impossible.
+     */
+    void
+    write(const std::string &file_name) const;
+
+  private:
+    struct Section
+    {
+      std::string                                      name;
+      std::vector<std::pair<std::string, std::string>> lines;
+    };
+
+    std::vector<Section> sections;
+  };
+} // namespace StickSlip
+
+#endif

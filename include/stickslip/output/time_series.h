@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_time_series_h
+#define stickslip_output_time_series_h
+
+#include <stickslip/output/fault_snapshot.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * Writes time_series.csv: a header, then a row for each accepted step with
+   * the columns step, time, step_size, rate_state_iterations, tnnmg_iterations,
+   * multigrid_cycles and, for each fault, those of FaultStatistics, in SI units
+   * and with 17 significant digits. What was added reaches the file at the
+   * next add() after a second at the latest, and at the end.
+   */
+  template <int dim>
+  class TimeSeries
+  {
+  public:
+    /**
+     * Throws InputError if the file cannot be written.
+     */
+    TimeSeries(const std::string              &file_name,
+               const std::vector<std::string> &fault_names);
+
+    /**
+     * Append a row; @p faults in the order of the names given first.
+     */
+    void
+    add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);
+
+    void
+    flush();
+
+  private:
+    std::ofstream                         file;
+    std::string                           file_name;
+    unsigned int                          n_faults;
+    std::chrono::steady_clock::time_point last_flush;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_parameters_declared_entries_h
+#define stickslip_parameters_declared_entries_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * What a handler knows of one entry.
+   */
+  struct DeclaredEntry
+  {
+    /** Names of the nested subsections, outermost first. */
+    std::vector<std::string> sections;
+
+    std::string name;
+    std::string default_value;
+
+    /** What is allowed, in words. */
+    std::string allowed;
+
+    std::string documentation;
+  };
+
+  /**
+   * All entries of a handler in the order of their declaration.
+   */
+  std::vector<DeclaredEntry>
+  declared_entries(const ParameterHandler &prm);
+} // namespace StickSlip
+
+#endif

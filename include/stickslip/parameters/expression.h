@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_parameters_expression_h
+#define stickslip_parameters_expression_h
+
+#include <deal.II/base/point.h>
+
+#include <string>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * The value of a muParser expression in x, y (z) at one point, and in t where
+   * @p depends_on_time, as FunctionParser gives it.
+   *
+   * Throws InputError saying why where the expression cannot be read or its
+   * value is not finite. Meant for checks: each call reads the expression.
+   */
+  template <int dim>
+  double
+  evaluate_expression(const std::string &expression,
+                      const Point<dim>  &point,
+                      const bool         depends_on_time,
+                      const double       time = 0.);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_parameters_number_range_h
+#define stickslip_parameters_number_range_h
+
+#include <deal.II/base/patterns.h>
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * Pattern of finite numbers between bounds that may be excluded, or of a
+   * list of a given number of these, separated by commas. For example
+   * NumberRange().above(-1).below(0.5). deal.II's patterns know only bounds
+   * that are included.
+   */
+  class NumberRange : public Patterns::PatternBase
+  {
+  public:
+    /** Require x > bound. */
+    NumberRange &
+    above(const double bound);
+
+    /** Require x >= bound. */
+    NumberRange &
+    at_least(const double bound);
+
+    /** Require x < bound. */
+    NumberRange &
+    below(const double bound);
+
+    /** Require x <= bound. */
+    NumberRange &
+    at_most(const double bound);
+
+    /** Only whole numbers, written without point and exponent. */
+    NumberRange &
+    whole();
+
+    /** A list of @p n numbers. */
+    NumberRange &
+    times(const unsigned int n);
+
+    virtual bool
+    match(const std::string &text) const override;
+
+    /** What is allowed, in words, whatever the @p style. */
+    virtual std::string
+    description(const OutputStyle style = Machine) const override;
+
+    virtual std::unique_ptr<PatternBase>
+    clone() const override;
+
+    /**
+     * The numbers in a string that match() accepts.
+     */
+    static std::vector<double>
+    values(const std::string &text);
+
+  private:
+    bool
+    contains(const double x) const;
+
+    double       lower          = -std::numeric_limits<double>::infinity();
+    double       upper          = std::numeric_limits<double>::infinity();
+    bool         lower_included = false;
+    bool         upper_included = false;
+    bool         only_whole     = false;
+    unsigned int n_numbers      = 1;
+  };
+
+  /**
+   * The shortest decimal form that reads back as exactly @p x.
+   */
+  std::string
+  shortest_form(const double x);
+} // namespace StickSlip
+
+#endif

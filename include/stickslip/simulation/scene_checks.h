@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_scene_checks_h
+#define stickslip_simulation_scene_checks_h
+
+#include <stickslip/simulation/scene_parameters.h>
+
+namespace StickSlip
+{
+  /**
+   * Check what no single entry shows: that lower bounds are below upper ones,
+   * that neighbouring bodies face each other, that the lowest body is held
+   * along every axis, and that all expressions can be evaluated on their side
+   * or fault and give values that make sense there.
+   *
+   * Throws InputError with one sentence on the first contradiction. The bodies
+   * must have been stacked.
+   */
+  template <int dim>
+  void
+  check_scene(const SceneParameters<dim> &scene);
+} // namespace StickSlip
+
+#endif

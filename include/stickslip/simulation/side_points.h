@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_side_points_h
+#define stickslip_simulation_side_points_h
+
+#include <stickslip/simulation/scene_parameters.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The corners and the centre of the side a condition holds on, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  side_points(const SceneParameters<dim>   &scene,
+              const BoundaryCondition<dim> &condition);
+
+  /**
+   * The corners and the centre of the common part of two bodies' fault, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  fault_points(const BodyGeometry<dim> &below, const BodyGeometry<dim> &above);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/numbers.h>
+
+#include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/parameters/entries.h>
+
+#include <cmath>
+
+namespace StickSlip
+{
+  template <int dim>
+  BoundaryCondition<dim>::BoundaryCondition()
+  {
+    type.fill(BoundaryType::free);
+    expression.fill("0");
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryCondition<dim>::add_parameters(ParameterHandler &prm)
+  {
+    for (unsigned int component = 0; component < dim; ++component)
+      {
+        const std::string axis(1, "xyz"[component]);
+        add_choice(prm,
+                   axis + " condition",
+                   type[component],
+                   {{BoundaryType::free, "free"},
+                    {BoundaryType::fixed, "fixed"},
+                    {BoundaryType::velocity, "velocity"},
+                    {BoundaryType::traction, "traction"}},
+                   "What holds on the side in direction " + axis +
+                     ": no traction (free), no displacement (fixed), a given "
+                     "velocity, or a given traction.");
+        add_text(prm,
+                 axis + " value",
+                 expression[component],
+                 "The given velocity, in m/s, or traction, in Pa, in "
+                 "direction " +
+                   axis + ": an expression in x, y" + (dim == 3 ? ", z" : "") +
+                   " (in m) and t (in s).");
+      }
+    add_number(prm,
+               "Ramp length",
+               ramp_length,
+               NumberRange().at_least(0),
+               "Time in which the given values grow smoothly from zero, by "
+               "half a cosine, in s; 0: they act in full from the start.");
+  }
+
+
+
+  double
+  smooth_ramp(const double time, const double length)
+  {
+    if (time >= length)
+      return 1.;
+    if (time <= 0.)
+      return 0.;
+    return 0.5 * (1. - std::cos(numbers::PI * time / length));
+  }
+
+
+
+  template struct BoundaryCondition<2>;
+  template struct BoundaryCondition<3>;
+} // namespace StickSlip

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/mesh/body_geometry.h>
+#include <stickslip/parameters/entries.h>
+
+namespace StickSlip
+{
+  template <int dim>
+  BodyGeometry<dim>::BodyGeometry()
+  {
+    lateral_lower.fill(-2.5);
+    lateral_upper.fill(2.5);
+    coarse_cells.fill(10);
+    coarse_cells[dim - 1] = 2;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BodyGeometry<dim>::lower_corner() const
+  {
+    Point<dim> corner;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      corner[axis] = lateral_lower[axis];
+    corner[dim - 1] = base;
+    return corner;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BodyGeometry<dim>::upper_corner() const
+  {
+    Point<dim> corner;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      corner[axis] = lateral_upper[axis];
+    corner[dim - 1] = base + thickness;
+    return corner;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyGeometry<dim>::add_parameters(ParameterHandler &prm)
+  {
+    add_numbers(prm,
+                "Lower lateral corner",
+                lateral_lower,
+                NumberRange(),
+                "Lower bound of the body along each horizontal axis, in m: x "
+                "in two dimensions; x, y in three.");
+    add_numbers(prm,
+                "Upper lateral corner",
+                lateral_upper,
+                NumberRange(),
+                "Upper bound of the body along each horizontal axis, in m.");
+    add_number(prm,
+               "Thickness",
+               thickness,
+               NumberRange().above(0),
+               "Extent along the vertical axis, in m.");
+    add_numbers(prm,
+                "Coarse cells",
+                coarse_cells,
+                NumberRange().whole().at_least(1).at_most(100000),
+                "Number of cells of the coarsest mesh along each axis, the "
+                "vertical one last. The solver does best with cells not more "
+                "than twice as long as wide.");
+    add_count(prm,
+              "Refinement passes",
+              refinement_passes,
+              0,
+              20,
+              "How many times all cells that touch a fault are halved.");
+  }
+
+
+
+  template struct BodyGeometry<2>;
+  template struct BodyGeometry<3>;
+} // namespace StickSlip

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/output/fault_statistics.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  template <int dim>
+  FaultStatistics
+  fault_statistics(const FaultSnapshot<dim> &fault)
+  {
+    const unsigned int n_nodes = fault.points.size();
+    AssertDimension(fault.weights.size(), n_nodes);
+    AssertDimension(fault.slip.size(), n_nodes);
+    AssertDimension(fault.slip_rate.size(), n_nodes);
+    AssertDimension(fault.shear_traction.size(), n_nodes);
+    AssertDimension(fault.state.size(), n_nodes);
+
+    FaultStatistics statistics;
+    double          total_weight = 0;
+    double          slip_rate = 0, slip = 0, state = 0, shear_traction = 0;
+    for (unsigned int p = 0; p < n_nodes; ++p)
+      {
+        const double weight = fault.weights[p];
+        if (!(weight > 0))
+          continue;
+        const double rate     = fault.slip_rate[p].norm();
+        const bool   is_first = (total_weight == 0);
+
+        if (is_first || rate > statistics.max_slip_rate)
+          {
+            statistics.max_slip_rate      = rate;
+            statistics.x_of_max_slip_rate = fault.points[p][0];
+          }
+        statistics.min_slip_rate =
+          is_first ? rate : std::min(statistics.min_slip_rate, rate);
+
+        total_weight += weight;
+        slip_rate += weight * rate;
+        slip += weight * fault.slip[p][0];
+        state += weight * fault.state[p];
+        shear_traction += weight * fault.shear_traction[p][0];
+      }
+
+    if (total_weight > 0)
+      {
+        statistics.mean_slip_rate      = slip_rate / total_weight;
+        statistics.mean_slip           = slip / total_weight;
+        statistics.mean_state          = state / total_weight;
+        statistics.mean_shear_traction = shear_traction / total_weight;
+      }
+    return statistics;
+  }
+
+
+
+  template FaultStatistics
+  fault_statistics(const FaultSnapshot<2> &);
+  template FaultStatistics
+  fault_statistics(const FaultSnapshot<3> &);
+} // namespace StickSlip

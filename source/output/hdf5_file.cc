@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/output/hdf5_file.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    require(const bool success, const std::string &what)
+    {
+      AssertThrow(success, ExcMessage("HDF5 failed to " + what + "."));
+    }
+
+
+
+    // Records per chunk, such that a chunk has about 64 kB: small enough not
+    // to waste space in a short run, large enough for fast reading.
+    hsize_t
+    chunk_length(const std::vector<hsize_t> &record_shape)
+    {
+      const hsize_t n_values = std::accumulate(record_shape.begin(),
+                                               record_shape.end(),
+                                               hsize_t(1),
+                                               std::multiplies<hsize_t>());
+      return std::clamp<hsize_t>(8192 / std::max<hsize_t>(n_values, 1),
+                                 1,
+                                 1024);
+    }
+
+
+
+    Hdf5Handle
+    create_series(const hid_t                 group,
+                  const std::string          &name,
+                  const std::vector<hsize_t> &record_shape)
+    {
+      std::vector<hsize_t> extent = {0}, largest = {H5S_UNLIMITED},
+                           chunk = {chunk_length(record_shape)};
+      for (const hsize_t n : record_shape)
+        {
+          extent.push_back(n);
+          largest.push_back(n);
+          chunk.push_back(std::max<hsize_t>(n, 1));
+        }
+
+      const Hdf5Handle space(H5Screate_simple(extent.size(),
+                                              extent.data(),
+                                              largest.data()),
+                             H5Sclose,
+                             "describe the data set '" + name + "'");
+      const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE),
+                                  H5Pclose,
+                                  "describe the data set '" + name + "'");
+      require(H5Pset_chunk(properties, chunk.size(), chunk.data()) >= 0,
+              "divide the data set '" + name + "' into chunks");
+      return Hdf5Handle(H5Dcreate2(group,
+                                   name.c_str(),
+                                   H5T_IEEE_F64LE,
+                                   space,
+                                   H5P_DEFAULT,
+                                   properties,
+                                   H5P_DEFAULT),
+                        H5Dclose,
+                        "create the data set '" + name + "'");
+    }
+  } // namespace
+
+
+
+  Hdf5Handle::Hdf5Handle(const hid_t        id,
+                         const Closer       close,
+                         const std::string &what)
+    : id(id)
+    , close(close)
+  {
+    require(id >= 0, what);
+  }
+
+
+
+  Hdf5Handle::Hdf5Handle(Hdf5Handle &&other) noexcept
+    : id(other.id)
+    , close(other.close)
+  {
+    other.id = H5I_INVALID_HID;
+  }
+
+
+
+  Hdf5Handle::~Hdf5Handle()
+  {
+    if (id >= 0)
+      close(id);
+  }
+
+
+
+  Hdf5Series::Hdf5Series(const hid_t                 group,
+                         const std::string          &name,
+                         const std::vector<hsize_t> &record_shape)
+    : shape({0})
+    , data_set(create_series(group, name, record_shape))
+  {
+    shape.insert(shape.end(), record_shape.begin(), record_shape.end());
+  }
+
+
+
+  void
+  Hdf5Series::append(const std::vector<double> &record)
+  {
+    std::vector<hsize_t> start(shape.size(), 0), count = shape;
+    start[0] = shape[0];
+    count[0] = 1;
+    AssertDimension(record.size(),
+                    std::accumulate(count.begin(),
+                                    count.end(),
+                                    hsize_t(1),
+                                    std::multiplies<hsize_t>()));
+
+    ++shape[0];
+    require(H5Dset_extent(data_set, shape.data()) >= 0, "extend a data set");
+    const Hdf5Handle file_space(H5Dget_space(data_set),
+                                H5Sclose,
+                                "describe a record");
+    require(H5Sselect_hyperslab(file_space,
+                                H5S_SELECT_SET,
+                                start.data(),
+                                nullptr,
+                                count.data(),
+                                nullptr) >= 0,
+            "select a record");
+    const Hdf5Handle memory_space(H5Screate_simple(count.size(),
+                                                   count.data(),
+                                                   nullptr),
+                                  H5Sclose,
+                                  "describe a record");
+    require(H5Dwrite(data_set,
+                     H5T_NATIVE_DOUBLE,
+                     memory_space,
+                     file_space,
+                     H5P_DEFAULT,
+                     record.data()) >= 0,
+            "write a record");
+  }
+
+
+
+  Hdf5Handle
+  create_hdf5_file(const std::string &file_name)
+  {
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS),
+                            H5Pclose,
+                            "describe the file '" + file_name + "'");
+#if H5_VERSION_GE(1, 10, 7)
+    // Without a lock, somebody may look at the file while the run goes on, and
+    // file systems that know no locks are no obstacle.
+    require(H5Pset_file_locking(access, false, true) >= 0,
+            "turn off the lock of '" + file_name + "'");
+#endif
+    return Hdf5Handle(
+      H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+      H5Fclose,
+      "create the file '" + file_name + "'");
+  }
+
+
+
+  Hdf5Handle
+  create_hdf5_group(const hid_t parent, const std::string &name)
+  {
+    return Hdf5Handle(
+      H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Gclose,
+      "create the group '" + name + "'");
+  }
+
+
+
+  Hdf5Handle
+  write_hdf5_array(const hid_t                 group,
+                   const std::string          &name,
+                   const std::vector<hsize_t> &shape,
+                   const std::vector<double>  &values)
+  {
+    const Hdf5Handle space(H5Screate_simple(shape.size(),
+                                            shape.data(),
+                                            nullptr),
+                           H5Sclose,
+                           "describe the data set '" + name + "'");
+    Hdf5Handle       data_set(H5Dcreate2(group,
+                                   name.c_str(),
+                                   H5T_IEEE_F64LE,
+                                   space,
+                                   H5P_DEFAULT,
+                                   H5P_DEFAULT,
+                                   H5P_DEFAULT),
+                        H5Dclose,
+                        "create the data set '" + name + "'");
+    require(H5Dwrite(data_set,
+                     H5T_NATIVE_DOUBLE,
+                     H5S_ALL,
+                     H5S_ALL,
+                     H5P_DEFAULT,
+                     values.data()) >= 0,
+            "write the data set '" + name + "'");
+    return data_set;
+  }
+
+
+
+  void
+  write_hdf5_attribute(const hid_t        object,
+                       const std::string &name,
+                       const std::string &text)
+  {
+    const std::string what = "write the attribute '" + name + "'";
+    const Hdf5Handle  type(H5Tcopy(H5T_C_S1), H5Tclose, what);
+    require(H5Tset_size(type, text.size() + 1) >= 0 &&
+              H5Tset_cset(type, H5T_CSET_UTF8) >= 0,
+            what);
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, what);
+    const Hdf5Handle attribute(
+      H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose,
+      what);
+    require(H5Awrite(attribute, type, text.c_str()) >= 0, what);
+  }
+} // namespace StickSlip

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/output/output_parameters.h>
+#include <stickslip/parameters/entries.h>
+
+namespace StickSlip
+{
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_text(prm,
+             "Output directory",
+             directory,
+             "Folder of all files; empty: output/ and the name of the "
+             "parameter file.");
+    add_number(prm,
+               "Fault slip rate factor",
+               fault_slip_rate_factor,
+               NumberRange().above(1),
+               "A record is added to faults.h5 when the largest slip rate has "
+               "changed by this factor since the last one, without unit.");
+    add_number(prm,
+               "Fault shortest interval",
+               fault_shortest_interval,
+               NumberRange().at_least(0),
+               "Shortest time between two records in faults.h5, in s.");
+    add_number(prm,
+               "Fault longest interval",
+               fault_longest_interval,
+               NumberRange().above(0),
+               "Longest time between two records in faults.h5, in s; exceeded "
+               "only by a longer time step.");
+    add_switch(prm,
+               "Write volume",
+               write_volume,
+               "Whether VTU files of the bodies are written.");
+    add_number(prm,
+               "Volume slip rate factor",
+               volume_slip_rate_factor,
+               NumberRange().above(1),
+               "VTU files are written when the largest slip rate has changed "
+               "by this factor since the last ones, without unit.");
+    add_number(prm,
+               "Volume shortest interval",
+               volume_shortest_interval,
+               NumberRange().at_least(0),
+               "Shortest time between two sets of VTU files, in s.");
+    add_number(prm,
+               "Volume longest interval",
+               volume_longest_interval,
+               NumberRange().above(0),
+               "Longest time between two sets of VTU files, in s; exceeded "
+               "only by a longer time step.");
+    add_number(prm,
+               "Event start slip rate",
+               event_start_slip_rate,
+               NumberRange().at_least(0),
+               "An event begins when the mean slip rate of a fault rises above "
+               "this, in m/s; 0: twice the largest prescribed velocity.");
+    add_number(prm,
+               "Event end fraction",
+               event_end_fraction,
+               NumberRange().above(0).at_most(1),
+               "An event ends when the mean slip rate falls below this "
+               "fraction of the rate at which it begins, without unit.");
+  }
+} // namespace StickSlip

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/output/atomic_file.h>
+#include <stickslip/output/run_summary.h>
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+namespace StickSlip
+{
+  void
+  RunSummary::add(const std::string &section,
+                  const std::string &key,
+                  const std::string &value)
+  {
+    auto place = std::find_if(sections.begin(),
+                              sections.end(),
+                              [&section](const Section &candidate) {
+                                return candidate.name == section;
+                              });
+    if (place == sections.end())
+      place = sections.insert(place, Section{section, {}});
+
+    const auto line = std::find_if(place->lines.begin(),
+                                   place->lines.end(),
+                                   [&key](const auto &candidate) {
+                                     return candidate.first == key;
+                                   });
+    if (line == place->lines.end())
+      place->lines.emplace_back(key, value);
+    else
+      line->second = value;
+  }
+
+
+
+  void
+  RunSummary::add(const std::string &section,
+                  const std::string &key,
+                  const double       value,
+                  const std::string &unit)
+  {
+    std::ostringstream text;
+    text << value << (unit.empty() ? "" : " ") << unit;
+    add(section, key, text.str());
+  }
+
+
+
+  void
+  RunSummary::add_count(const std::string       &section,
+                        const std::string       &key,
+                        const unsigned long long value)
+  {
+    add(section, key, std::to_string(value));
+  }
+
+
+
+  void
+  RunSummary::print(std::ostream &out) const
+  {
+    std::size_t width = 0;
+    for (const Section &section : sections)
+      for (const auto &line : section.lines)
+        width = std::max(width, line.first.size());
+
+    for (const Section &section : sections)
+      {
+        out << (&section == &sections.front() ? "" : "\n") << section.name
+            << '\n';
+        for (const auto &[key, value] : section.lines)
+          out << "  " << key << std::string(width - key.size() + 2, ' ')
+              << value << '\n';
+      }
+  }
+
+
+
+  void
+  RunSummary::write(const std::string &file_name) const
+  {
+    std::ostringstream text;
+    print(text);
+    write_file_atomically(file_name, text.str());
+  }
+} // namespace StickSlip

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/output/fault_statistics.h>
+#include <stickslip/output/time_series.h>
+#include <stickslip/parameters/input_error.h>
+
+#include <limits>
+
+namespace StickSlip
+{
+  template <int dim>
+  TimeSeries<dim>::TimeSeries(const std::string              &file_name,
+                              const std::vector<std::string> &fault_names)
+    : file(file_name)
+    , file_name(file_name)
+    , n_faults(fault_names.size())
+    , last_flush(std::chrono::steady_clock::now())
+  {
+    file.precision(std::numeric_limits<double>::max_digits10);
+    file << "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
+            "multigrid_cycles";
+    for (const std::string &fault : fault_names)
+      for (const char *column : {"max_slip_rate",
+                                 "mean_slip_rate",
+                                 "min_slip_rate",
+                                 "mean_slip",
+                                 "mean_state",
+                                 "mean_shear_traction"})
+        file << ',' << fault << '.' << column;
+    file << '\n' << std::flush;
+    if (!file)
+      throw InputError("The file '" + file_name + "' cannot be written.");
+  }
+
+
+
+  template <int dim>
+  void
+  TimeSeries<dim>::add(const StepRecord                      &step,
+                       const std::vector<FaultSnapshot<dim>> &faults)
+  {
+    AssertDimension(faults.size(), n_faults);
+
+    file << step.step << ',' << step.time << ',' << step.step_size << ','
+         << step.rate_state_iterations << ',' << step.tnnmg_iterations << ','
+         << step.multigrid_cycles;
+    for (const FaultSnapshot<dim> &fault : faults)
+      {
+        const FaultStatistics statistics = fault_statistics(fault);
+        file << ',' << statistics.max_slip_rate << ','
+             << statistics.mean_slip_rate << ',' << statistics.min_slip_rate
+             << ',' << statistics.mean_slip << ',' << statistics.mean_state
+             << ',' << statistics.mean_shear_traction;
+      }
+    file << '\n';
+
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_flush >= std::chrono::seconds(1))
+      flush();
+  }
+
+
+
+  template <int dim>
+  void
+  TimeSeries<dim>::flush()
+  {
+    file.flush();
+    AssertThrow(file,
+                ExcMessage("Writing the file '" + file_name + "' failed."));
+    last_flush = std::chrono::steady_clock::now();
+  }
+
+
+
+  template class TimeSeries<2>;
+  template class TimeSeries<3>;
+} // namespace StickSlip

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+#include <stickslip/parameters/declared_entries.h>
+
+#include <sstream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    using Tree = boost::property_tree::ptree;
+
+
+
+    // deal.II's patterns describe themselves to a machine; ours in words.
+    std::string
+    in_words(const std::string &description)
+    {
+      if (description == "[Anything]")
+        return "any text";
+      const std::string selection = "[Selection ";
+      if (description.rfind(selection, 0) != 0)
+        return description;
+
+      std::string words;
+      for (const char c : description.substr(selection.size()))
+        if (c == '|')
+          words += ", ";
+        else if (c != ']')
+          words += c;
+      while (!words.empty() && words.back() == ' ')
+        words.pop_back();
+      return "one of: " + words;
+    }
+
+
+
+    void
+    collect(const Tree                     &tree,
+            const std::vector<std::string> &sections,
+            std::vector<DeclaredEntry>     &entries)
+    {
+      for (const auto &[name, child] : tree)
+        if (child.find("pattern_description") != child.not_found())
+          {
+            DeclaredEntry entry;
+            entry.sections      = sections;
+            entry.name          = name;
+            entry.default_value = child.get<std::string>("default_value");
+            entry.documentation = child.get<std::string>("documentation");
+            entry.allowed =
+              in_words(child.get<std::string>("pattern_description"));
+            entries.push_back(entry);
+          }
+        else
+          {
+            std::vector<std::string> inner = sections;
+            inner.push_back(name);
+            collect(child, inner, entries);
+          }
+    }
+  } // namespace
+
+
+
+  std::vector<DeclaredEntry>
+  declared_entries(const ParameterHandler &prm)
+  {
+    // The handler keeps its tree to itself; JSON shows all of it.
+    std::stringstream stream;
+    prm.print_parameters(stream,
+                         static_cast<ParameterHandler::OutputStyle>(
+                           ParameterHandler::JSON |
+                           ParameterHandler::KeepDeclarationOrder));
+    Tree tree;
+    boost::property_tree::read_json(stream, tree);
+
+    std::vector<DeclaredEntry> entries;
+    collect(tree, {}, entries);
+    return entries;
+  }
+} // namespace StickSlip

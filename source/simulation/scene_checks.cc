@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/input_error.h>
+#include <stickslip/parameters/number_range.h>
+#include <stickslip/simulation/loading_rate.h>
+#include <stickslip/simulation/scene_checks.h>
+#include <stickslip/simulation/scene_declaration.h>
+#include <stickslip/simulation/side_points.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  namespace
+  {
+    std::string
+    naming(const std::string &path, const std::string &value)
+    {
+      return "'" + path + "' = '" + value + "'";
+    }
+
+
+
+    std::string
+    naming(const std::string &path, const double value)
+    {
+      return naming(path, shortest_form(value));
+    }
+
+
+
+    void
+    check_order(const std::string &section,
+                const std::string &lower_name,
+                const double       lower,
+                const std::string &upper_name,
+                const double       upper)
+    {
+      if (lower > upper)
+        throw InputError(naming(section + "/" + lower_name, lower) +
+                         ": must not be larger than " +
+                         naming(upper_name, upper) + ".");
+    }
+
+
+
+    void
+    check_time(const TimeParameters &time)
+    {
+      check_order("Time",
+                  "Smallest step",
+                  time.smallest_step,
+                  "Largest step",
+                  time.largest_step);
+      if (time.control == StepSizeControl::constant)
+        return;
+      check_order("Time",
+                  "Smallest step",
+                  time.smallest_step,
+                  "Initial step",
+                  time.initial_step);
+      check_order("Time",
+                  "Initial step",
+                  time.initial_step,
+                  "Largest step",
+                  time.largest_step);
+    }
+
+
+
+    void
+    check_output(const OutputParameters &output)
+    {
+      check_order("Output",
+                  "Fault shortest interval",
+                  output.fault_shortest_interval,
+                  "Fault longest interval",
+                  output.fault_longest_interval);
+      check_order("Output",
+                  "Volume shortest interval",
+                  output.volume_shortest_interval,
+                  "Volume longest interval",
+                  output.volume_longest_interval);
+    }
+
+
+
+    template <int dim>
+    void
+    check_bodies(const std::vector<BodyParameters<dim>> &bodies)
+    {
+      for (const BodyParameters<dim> &body : bodies)
+        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+          if (body.geometry.lateral_lower[axis] >=
+              body.geometry.lateral_upper[axis])
+            throw InputError(
+              naming("Bodies/" + body.name + "/Lower lateral corner",
+                     body.geometry.lateral_lower[axis]) +
+              ": must be less than " +
+              naming("Upper lateral corner",
+                     body.geometry.lateral_upper[axis]) +
+              " along " + "xy"[axis] + ".");
+
+      for (unsigned int i = 1; i < bodies.size(); ++i)
+        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+          {
+            const BodyGeometry<dim> &below = bodies[i - 1].geometry;
+            const BodyGeometry<dim> &above = bodies[i].geometry;
+            const auto               range = [axis](const auto &geometry) {
+              return shortest_form(geometry.lateral_lower[axis]) + ", " +
+                     shortest_form(geometry.lateral_upper[axis]);
+            };
+            if (std::max(below.lateral_lower[axis],
+                         above.lateral_lower[axis]) >=
+                std::min(below.lateral_upper[axis], above.lateral_upper[axis]))
+              throw InputError(
+                naming("Bodies/" + bodies[i].name +
+                         "/Lower and Upper lateral corner",
+                       range(above)) +
+                " along " + "xy"[axis] + ": must overlap those of '" +
+                bodies[i - 1].name + "' below, '" + range(below) +
+                "', for there to be a fault between the two.");
+          }
+    }
+
+
+
+    // A value at each point, with the entry named in the message.
+    template <int dim>
+    std::vector<double>
+    evaluate(const std::string             &path,
+             const std::string             &expression,
+             const std::vector<Point<dim>> &points,
+             const std::vector<double>     &times)
+    {
+      std::vector<double> values;
+      try
+        {
+          for (const Point<dim> &point : points)
+            if (times.empty())
+              values.push_back(evaluate_expression(expression, point, false));
+            else
+              for (const double time : times)
+                values.push_back(
+                  evaluate_expression(expression, point, true, time));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(naming(path, expression) +
+                           ": cannot be used: " + error.what() + ".");
+        }
+      return values;
+    }
+
+
+
+    template <int dim>
+    void
+    check_faults(const SceneParameters<dim> &scene)
+    {
+      for (unsigned int i = 0; i < scene.faults.size(); ++i)
+        {
+          const FaultParameters &fault  = scene.faults[i];
+          const std::string      path   = "Faults/" + fault.name + "/";
+          const auto             points = fault_points(scene.bodies[i].geometry,
+                                           scene.bodies[i + 1].geometry);
+
+          const std::vector<double> states = evaluate<dim>(
+            path + "Initial state", fault.initial_state, points, {});
+          if (*std::min_element(states.begin(), states.end()) <= 0)
+            throw InputError(
+              naming(path + "Initial state", fault.initial_state) +
+              ": must be greater than 0 s on all of the fault.");
+
+          if (fault.normal_stress_source != NormalStressSource::function)
+            continue;
+          const std::vector<double> stresses = evaluate<dim>(
+            path + "Normal stress function", fault.normal_stress, points, {});
+          if (*std::min_element(stresses.begin(), stresses.end()) < 0)
+            throw InputError(
+              naming(path + "Normal stress function", fault.normal_stress) +
+              ": must be at least 0 Pa on all of the fault, compression is "
+              "positive.");
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    check_boundary_conditions(const SceneParameters<dim> &scene)
+    {
+      std::array<bool, dim> held;
+      held.fill(false);
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        {
+          const std::string path = "Boundary conditions/" + condition.body +
+                                   " " + side_name<dim>(condition.side) + "/";
+          for (unsigned int component = 0; component < dim; ++component)
+            {
+              const std::string  axis(1, "xyz"[component]);
+              const std::string &expression = condition.expression[component];
+              const BoundaryType type       = condition.type[component];
+
+              if (condition.body == scene.bodies.front().name &&
+                  (type == BoundaryType::fixed ||
+                   type == BoundaryType::velocity))
+                held[component] = true;
+
+              if (type == BoundaryType::velocity ||
+                  type == BoundaryType::traction)
+                evaluate<dim>(path + axis + " value",
+                              expression,
+                              side_points(scene, condition),
+                              {0.,
+                               0.5 * scene.time.end_time,
+                               scene.time.end_time});
+              else if (expression != "0")
+                throw InputError(
+                  naming(path + axis + " value", expression) +
+                  ": has no effect, since '" + axis + " condition' = '" +
+                  (type == BoundaryType::free ? "free" : "fixed") +
+                  "'; values are allowed with velocity and traction.");
+            }
+        }
+
+      for (unsigned int component = 0; component < dim; ++component)
+        if (!held[component])
+          throw InputError(
+            "'Boundary conditions/Sides': no side of the lowest body '" +
+            scene.bodies.front().name + "' has '" + "xyz"[component] +
+            " condition' = 'fixed' or 'velocity', so the bodies could float "
+            "away along " +
+            "xyz"[component] + "; at least one must.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_scene(const SceneParameters<dim> &scene)
+  {
+    check_time(scene.time);
+    check_output(scene.output);
+    check_bodies(scene.bodies);
+    check_faults(scene);
+    check_boundary_conditions(scene);
+
+    if (!scene.faults.empty() && scene.output.event_start_slip_rate == 0 &&
+        event_start_slip_rate(scene) == 0)
+      throw InputError(
+        "'Output/Event start slip rate' = '0': stands for twice the largest "
+        "prescribed velocity, which is 0 in this scene; give a slip rate > 0 "
+        "m/s.");
+  }
+
+
+
+  template void
+  check_scene(const SceneParameters<2> &);
+  template void
+  check_scene(const SceneParameters<3> &);
+} // namespace StickSlip

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/parameters/entries.h>
+#include <stickslip/time/time_parameters.h>
+
+namespace StickSlip
+{
+  void
+  TimeParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_number(prm,
+               "End time",
+               end_time,
+               NumberRange().above(0),
+               "Simulated time at the end of the run, in s.");
+    add_choice(prm,
+               "Step size control",
+               control,
+               {{StepSizeControl::embedded, "embedded"},
+                {StepSizeControl::step_doubling, "step doubling"},
+                {StepSizeControl::constant, "constant"}},
+               "How the step size is chosen: an error estimate from the past "
+               "steps, one step of double size against two, or always the "
+               "largest step.");
+    add_number(prm,
+               "Tolerance",
+               tolerance,
+               NumberRange().above(0),
+               "Error allowed in a step under the embedded control: of the "
+               "logarithms of state and slip rate in the L2 norm of the "
+               "faults, in m^((d-1)/2).");
+    add_number(prm,
+               "Doubling threshold",
+               doubling_threshold,
+               NumberRange().above(0),
+               "Difference allowed between one step and two under step "
+               "doubling: of the logarithm of the state in the L2 norm of the "
+               "faults, in m^((d-1)/2).");
+    add_number(prm,
+               "Initial step",
+               initial_step,
+               NumberRange().above(0),
+               "Size of the first step, in s.");
+    add_number(prm,
+               "Smallest step",
+               smallest_step,
+               NumberRange().above(0),
+               "The run stops with a message where an even smaller step would "
+               "be needed, in s.");
+    add_number(prm,
+               "Largest step",
+               largest_step,
+               NumberRange().above(0),
+               "Largest size of a step, in s; smaller steps are this divided "
+               "by powers of two.");
+    add_number(prm,
+               "Ramp fraction",
+               ramp_fraction,
+               NumberRange().above(0).at_most(1),
+               "No step is longer than this fraction of the longest loading "
+               "ramp while that lasts, without unit.");
+    add_choice(prm,
+               "State update",
+               state_update,
+               {{StateUpdate::exponential, "exponential"},
+                {StateUpdate::implicit_euler, "implicit Euler"}},
+               "How the state is advanced by a step: by the exact solution for "
+               "the mean slip rate (second order), or by an implicit Euler "
+               "step (first order).");
+    add_choice(prm,
+               "Rate-state method",
+               rate_state_method,
+               {{RateStateMethod::interleaved, "interleaved"},
+                {RateStateMethod::nested, "nested"}},
+               "Whether the state is updated after each iteration of the rate "
+               "solver (interleaved) or after each converged solve (nested).");
+    add_number(prm,
+               "Rate-state tolerance",
+               rate_state_tolerance,
+               NumberRange().above(0),
+               "The rate-state iteration ends when the logarithm of the state "
+               "changes less than this in the L2 norm of the faults, in "
+               "m^((d-1)/2).");
+    add_count(prm,
+              "Largest number of rate-state iterations",
+              max_rate_state_iterations,
+              1,
+              100000,
+              "More rate-state iterations than this reject the step.");
+  }
+} // namespace StickSlip

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/parameters/entries.h>
+#include <stickslip/tnnmg/solver_parameters.h>
+
+namespace StickSlip
+{
+  void
+  TNNMGParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_number(prm,
+               "Tolerance",
+               tolerance,
+               NumberRange().above(0).below(1),
+               "The iteration ends when its correction is below this times the "
+               "iterate, both in the energy norm, without unit.");
+    add_count(prm,
+              "Largest number of iterations",
+              max_iterations,
+              1,
+              100000,
+              "More iterations than this are a failure.");
+    add_number(prm,
+               "Truncation factor",
+               truncation_factor,
+               NumberRange().above(0),
+               "An unknown is left out of the linear correction where the "
+               "curvature of the friction exceeds this times the diagonal of "
+               "the matrix, without unit.");
+    add_count(prm,
+              "Cycles per correction",
+              cycles_per_correction,
+              1,
+              1000,
+              "Steps of conjugate gradients, each with one multigrid V-cycle, "
+              "in a linear correction.");
+    add_count(prm,
+              "Smoothing sweeps",
+              smoothing_sweeps,
+              1,
+              100,
+              "Gauss-Seidel sweeps before and after each coarse grid "
+              "correction.");
+    add_switch(prm,
+               "Print iterations",
+               print_iterations,
+               "Whether a line is printed for every iteration.");
+  }
+} // namespace StickSlip
