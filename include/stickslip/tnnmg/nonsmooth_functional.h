@@ -6,6 +6,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
+
 #include <vector>
 
 namespace StickSlip
