@@ -102,6 +102,53 @@ TEST(DualMortar3D, SlidNonmatchingGrids)
 
 
 
+TEST(DualMortar3D, RectanglesAreTensorProducts)
+{
+  // While all of the width is covered, the dual functions of a grid of
+  // rectangles are products of those on two lines, inactive nodes included.
+  std::mt19937 random(5);
+  for (const double slide : {0., 1e-7, 0.05, 0.1, 0.2, 0.3, 0.45, -0.6})
+    {
+      const auto xs = random_breakpoints(9, -2., 2., random);
+      const auto ys = random_breakpoints(4, -1., 1., random);
+      const auto xm = shifted(random_breakpoints(6, -2., 2., random), slide);
+      const auto ym = random_breakpoints(7, -1., 1., random);
+
+      const auto along  = couple(line(xs), line(xm));
+      const auto across = couple(line(ys), line(ym));
+      const auto both   = couple(grid(xs, ys), grid(xm, ym));
+      for (unsigned int j = 0; j < ys.size(); ++j)
+        for (unsigned int i = 0; i < xs.size(); ++i)
+          {
+            const unsigned int p = j * xs.size() + i;
+            ASSERT_EQ(both.active[p], along.active[i]);
+            if (!both.active[p])
+              continue;
+            EXPECT_NEAR(both.weight[p],
+                        along.weight[i] * across.weight[j],
+                        1e-14);
+            EXPECT_NEAR(both.averaging_factor[p],
+                        along.averaging_factor[i],
+                        1e-13);
+            for (unsigned int l = 0; l < ym.size(); ++l)
+              for (unsigned int k = 0; k < xm.size(); ++k)
+                EXPECT_NEAR(entry(both.master_rows[p], l * xm.size() + k),
+                            entry(along.master_rows[i], k) *
+                              entry(across.master_rows[j], l),
+                            1e-13);
+            for (unsigned int l = 0; l < ys.size(); ++l)
+              for (unsigned int k = 0; k < xs.size(); ++k)
+                EXPECT_NEAR(entry(both.inactive_slave_rows[p],
+                                  l * xs.size() + k),
+                            j == l ? entry(along.inactive_slave_rows[i], k) :
+                                     0.,
+                            1e-13);
+          }
+    }
+}
+
+
+
 TEST(DualMortar3D, RotatedGrids)
 {
   std::mt19937 random(3);

@@ -9,17 +9,17 @@
 #include <stickslip/mortar/face_overlap.h>
 #include <stickslip/mortar/face_shape.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <type_traits>
 
 namespace StickSlip
 {
   namespace
   {
     /**
-     * Entries of N below this are rounding. Removing them matters: matching
-     * meshes then couple a slave node to one master node only.
+     * Entries of N and S below this are rounding. Removing them matters:
+     * matching meshes then couple a slave node to one master node only.
      */
     constexpr double entry_tolerance = 1e-14;
 
@@ -111,29 +111,14 @@ namespace StickSlip
 
 
 
-    /**
-     * A row divided by its diagonal, without entries of rounding size. Their
-     * sum goes to the largest entry, so that the row still sums to one.
-     */
     MortarCoupling::SparseRow
     normalised_row(const std::map<unsigned int, double> &row,
                    const double                          diagonal)
     {
       MortarCoupling::SparseRow result;
-      double                    removed = 0.;
       for (const auto &[column, value] : row)
         if (std::abs(value) > entry_tolerance * diagonal)
           result.emplace_back(column, value / diagonal);
-        else
-          removed += value / diagonal;
-
-      if (!result.empty())
-        std::max_element(result.begin(),
-                         result.end(),
-                         [](const auto &a, const auto &b) {
-                           return std::abs(a.second) < std::abs(b.second);
-                         })
-          ->second += removed;
       return result;
     }
   } // namespace

@@ -116,13 +116,13 @@ namespace StickSlip
 
 
 
-    /** The outline of a face, counter-clockwise and relative to a point. */
+    /** The outline of a face, counter-clockwise. */
     Polygon
-    outline(const FaceShape<3> &shape, const Point<2> &origin)
+    outline(const FaceShape<3> &shape)
     {
       Polygon polygon;
       for (const unsigned int i : {0, 1, 3, 2})
-        polygon.push_back(Point<2>(shape.vertices()[i] - origin));
+        polygon.push_back(shape.vertices()[i]);
       if (signed_area(polygon) < 0.)
         std::reverse(polygon.begin(), polygon.end());
       return polygon;
@@ -156,26 +156,21 @@ namespace StickSlip
                      std::back_inserter(candidates));
           std::sort(candidates.begin(), candidates.end());
 
-          // Near the origin the clipping loses no digits to the position of
-          // the face in the plane.
-          const Point<2> origin        = slave_shape.vertices()[0];
-          const Polygon  slave_outline = outline(slave_shape, origin);
+          const Polygon slave_outline = outline(slave_shape);
           for (const std::size_t m : candidates)
             {
               const Polygon common =
-                clip_convex_polygon(slave_outline,
-                                    outline(master_shapes[m], origin));
+                clip_convex_polygon(slave_outline, outline(master_shapes[m]));
               if (signed_area(common) <=
                   overlap_tolerance *
                     std::min(slave_shape.measure(), master_shapes[m].measure()))
                 continue;
               for (unsigned int i = 2; i < common.size(); ++i)
                 {
-                  const OverlapCell<3> cell = {f,
-                                               static_cast<unsigned int>(m),
-                                               {{origin + common[0],
-                                                 origin + common[i - 1],
-                                                 origin + common[i]}}};
+                  const OverlapCell<3> cell = {
+                    f,
+                    static_cast<unsigned int>(m),
+                    {{common[0], common[i - 1], common[i]}}};
                   // Vertices that coincide leave triangles without area.
                   if (cell.measure() > 0.)
                     cells.push_back(cell);

@@ -73,10 +73,10 @@ namespace StickSlip
    * A slave node is active if the integral of its shape function over the
    * covered part of the slave surface is at least this fraction of that over
    * all of it. At the end of a fault in two dimensions this means that half of
-   * the last face is covered. The value at a node is an extrapolation
-   * from the covered part, and the sum of |N_pq| grows with its distance: up to
-   * 5/3 inside, at most 4.6 at the end of a fault in two dimensions; it would
-   * be 12 with a fraction of 0.05.
+   * the last face is covered. The value at a node is an extrapolation from the
+   * covered part, and the sum of |N_pq| grows with the distance: it is up to
+   * 5/3 inside and up to 4.6 at the ends of a fault in two dimensions, where a
+   * fraction of 0.05 would allow 12.
    */
   constexpr double active_weight_fraction = 0.25;
 
