@@ -4,9 +4,9 @@
 #ifndef stickslip_time_time_parameters_h
 #define stickslip_time_time_parameters_h
 
-#include <stickslip/friction/state_evolution.h>
-
 #include <deal.II/base/parameter_handler.h>
+
+#include <stickslip/friction/state_evolution.h>
 
 namespace StickSlip
 {
