@@ -239,7 +239,7 @@ TEST(SceneErrors, TimeSteps)
   expect_error(two_bodies,
                {"Output/Fault longest interval=1e-4"},
                {"'Output/Fault shortest interval' = '0.001'",
-                "'Fault longest interval' = '0.0001'"});
+                "'Fault longest interval' = '1e-04'"});
 }
 
 

@@ -17,7 +17,6 @@ namespace StickSlip
     : file(file_name)
     , file_name(file_name)
     , n_faults(fault_names.size())
-    , last_flush(std::chrono::steady_clock::now())
   {
     file.precision(std::numeric_limits<double>::max_digits10);
     file << "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
@@ -55,23 +54,9 @@ namespace StickSlip
              << ',' << statistics.mean_slip << ',' << statistics.mean_state
              << ',' << statistics.mean_shear_traction;
       }
-    file << '\n';
-
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_flush >= std::chrono::seconds(1))
-      flush();
-  }
-
-
-
-  template <int dim>
-  void
-  TimeSeries<dim>::flush()
-  {
-    file.flush();
+    file << '\n' << std::flush;
     AssertThrow(file,
                 ExcMessage("Writing the file '" + file_name + "' failed."));
-    last_flush = std::chrono::steady_clock::now();
   }
 
 

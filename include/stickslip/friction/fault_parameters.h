@@ -4,10 +4,10 @@
 #ifndef stickslip_friction_fault_parameters_h
 #define stickslip_friction_fault_parameters_h
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <stickslip/friction/rate_and_state.h>
 #include <stickslip/friction/state_evolution.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <string>
 

@@ -6,7 +6,6 @@
 
 #include <stickslip/output/fault_snapshot.h>
 
-#include <chrono>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -17,8 +16,7 @@ namespace StickSlip
    * Writes time_series.csv: a header, then a row for each accepted step with
    * the columns step, time, step_size, rate_state_iterations, tnnmg_iterations,
    * multigrid_cycles and, for each fault, those of FaultStatistics, in SI units
-   * and with 17 significant digits. What was added reaches the file at the
-   * next add() after a second at the latest, and at the end.
+   * and with 17 significant digits. Each row reaches the file at once.
    */
   template <int dim>
   class TimeSeries
@@ -36,14 +34,10 @@ namespace StickSlip
     void
     add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);
 
-    void
-    flush();
-
   private:
-    std::ofstream                         file;
-    std::string                           file_name;
-    unsigned int                          n_faults;
-    std::chrono::steady_clock::time_point last_flush;
+    std::ofstream file;
+    std::string   file_name;
+    unsigned int  n_faults;
   };
 } // namespace StickSlip
 

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/output/atomic_file.h>
+#include <stickslip/output/interrupt.h>
+#include <stickslip/output/output_cadence.h>
+#include <stickslip/output/output_directory.h>
+#include <stickslip/output/progress.h>
+#include <stickslip/output/pvd_record.h>
+#include <stickslip/output/run_summary.h>
+#include <stickslip/parameters/input_error.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <sstream>
+
+#include "temporary_folder.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+
+
+TEST(OutputCadence, WritesFirstThenAfterTheLongestInterval)
+{
+  OutputCadence cadence(2, 0.01, 0.5);
+  EXPECT_TRUE(cadence.is_due(0, 0));
+  cadence.note_written(0, 1e-9);
+  EXPECT_FALSE(cadence.is_due(0.49, 1e-9));
+  EXPECT_TRUE(cadence.is_due(0.5, 1e-9));
+
+  // Whatever the sum of the steps is rounded to.
+  double time = 0;
+  for (unsigned int i = 0; i < 10; ++i)
+    time += 0.05;
+  ASSERT_LT(time, 0.5);
+  EXPECT_TRUE(cadence.is_due(time, 1e-9));
+}
+
+
+
+TEST(OutputCadence, WritesWhenTheSlipRateHasChangedButNotTooOften)
+{
+  OutputCadence cadence(2, 0.01, 0.5);
+  cadence.note_written(1, 1e-6);
+  EXPECT_FALSE(cadence.is_due(1.1, 1.9e-6));
+  EXPECT_TRUE(cadence.is_due(1.1, 2.1e-6));
+  EXPECT_FALSE(cadence.is_due(1.1, 0.6e-6));
+  EXPECT_TRUE(cadence.is_due(1.1, 0.4e-6));
+  EXPECT_TRUE(cadence.is_due(1.1, 0));
+  EXPECT_FALSE(cadence.is_due(1.005, 1.));
+  EXPECT_TRUE(cadence.is_due(1.01, 1.));
+
+  cadence.note_written(2, 0);
+  EXPECT_FALSE(cadence.is_due(2.1, 0));
+  EXPECT_TRUE(cadence.is_due(2.1, 1e-30));
+}
+
+
+
+TEST(OutputDirectory, IsMadeWithItsParents)
+{
+  const TemporaryFolder folder;
+  const OutputDirectory directory(folder.file("a/b/c"));
+  EXPECT_TRUE(std::filesystem::is_directory(folder.file("a/b/c")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("a/b/c")));
+  EXPECT_EQ(directory.file("x.csv"), folder.file("a/b/c/x.csv"));
+}
+
+
+
+TEST(OutputDirectory, RemovesEarlierResultsAndNothingElse)
+{
+  const TemporaryFolder folder;
+  for (const char *name : {"time_series.csv",
+                           "faults.h5",
+                           "solution-0012.vtu",
+                           "notes.txt",
+                           "other.vtu"})
+    folder.write(name, "old");
+  OutputDirectory(folder.path.string()).remove_earlier_results();
+  EXPECT_FALSE(std::filesystem::exists(folder.file("time_series.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("faults.h5")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("solution-0012.vtu")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("notes.txt")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("other.vtu")));
+}
+
+
+
+TEST(OutputDirectory, ReportsAFolderThatCannotBeMade)
+{
+  const TemporaryFolder folder;
+  const std::string     file = folder.write("file", "");
+  for (const std::string &path : {file, file + "/below"})
+    try
+      {
+        OutputDirectory directory(path);
+        FAIL() << path;
+      }
+    catch (const InputError &error)
+      {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("'Output/Output directory' = '" + path + "'"),
+                  std::string::npos)
+          << message;
+      }
+}
+
+
+
+TEST(AtomicFile, ReplacesTheContentAndLeavesNothingElse)
+{
+  const TemporaryFolder folder;
+  write_file_atomically(folder.file("a"), "a longer content");
+  write_file_atomically(folder.file("a"), "short");
+  EXPECT_EQ(content_of(folder.file("a")), "short");
+  const auto items = std::filesystem::directory_iterator(folder.path);
+  EXPECT_EQ(std::distance(begin(items), end(items)), 1);
+  EXPECT_THROW(write_file_atomically(folder.file("no/a"), ""), InputError);
+}
+
+
+
+TEST(PvdRecord, ListsAllFilesAfterEachAddition)
+{
+  const TemporaryFolder folder;
+  PvdRecord             record(folder.file("solution.pvd"));
+  record.add(0, "solution-0000.vtu");
+  record.add(1. / 3, "solution-0001.vtu");
+  EXPECT_EQ(content_of(folder.file("solution.pvd")),
+            "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"0.1\" "
+            "byte_order=\"LittleEndian\">\n"
+            "  <Collection>\n"
+            "    <DataSet timestep=\"0\" group=\"\" part=\"0\" "
+            "file=\"solution-0000.vtu\"/>\n"
+            "    <DataSet timestep=\"0.33333333333333331\" group=\"\" "
+            "part=\"0\" file=\"solution-0001.vtu\"/>\n"
+            "  </Collection>\n"
+            "</VTKFile>\n");
+}
+
+
+
+TEST(RunSummary, AlignsValuesAndKeepsTheOrder)
+{
+  RunSummary summary;
+  summary.add_count("Mesh", "vertices", 12345678);
+  summary.add("Mesh", "largest diameter", 0.708, "m");
+  summary.add("Run", "ended", "early");
+  summary.add_count("Mesh", "cells", 3);
+  summary.add("Run", "ended", "at the end time");
+  std::ostringstream text;
+  summary.print(text);
+  EXPECT_EQ(text.str(),
+            "Mesh\n"
+            "  vertices          12345678\n"
+            "  largest diameter  0.708 m\n"
+            "  cells             3\n"
+            "\n"
+            "Run\n"
+            "  ended             at the end time\n");
+  const TemporaryFolder folder;
+  summary.write(folder.file("summary.txt"));
+  EXPECT_EQ(content_of(folder.file("summary.txt")), text.str());
+}
+
+
+
+TEST(Progress, RewritesOneLineOnATerminalOnceASecond)
+{
+  std::ostringstream out;
+  double             now = 100;
+  Progress           progress(out, true, 60, [&now]() { return now; });
+  progress.update(1, 0.5, 1e-9);
+  EXPECT_EQ(out.str(), "");
+  now = 101;
+  progress.update(6, 0.5, 2e-9);
+  const std::string first = out.str();
+  EXPECT_EQ(first.find('\r'), 0u);
+  EXPECT_EQ(first.find('\n'), std::string::npos);
+  for (const char *part :
+       {"t = 6.0000 s", "step = 5.0e-01 s", "2.00e-09 m/s", "time left"})
+    EXPECT_NE(first.find(part), std::string::npos) << first;
+  now = 101.9;
+  progress.update(7, 0.5, 1e-9);
+  EXPECT_EQ(out.str(), first);
+  progress.finish();
+  const std::string last = out.str().substr(first.size());
+  EXPECT_NE(last.find("t = 7.0000 s"), std::string::npos);
+  EXPECT_EQ(last.back(), '\n');
+}
+
+
+
+TEST(Progress, WritesPlainLinesToAFileAndEstimatesTheTimeLeft)
+{
+  std::ostringstream out;
+  double             now = 0;
+  Progress           progress(out, false, 40, [&now]() { return now; });
+  progress.update(0.5, 0.5, 1e-9);
+  now = 9.9;
+  progress.update(9, 0.5, 1e-9);
+  EXPECT_EQ(out.str(), "");
+  now = 100;
+  progress.update(10, 0.5, 1e-9);
+  // A quarter took 100 s, so three quarters take 300 s.
+  EXPECT_NE(out.str().find(" 25.0 %"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("time left 5:00\n"), std::string::npos) << out.str();
+  EXPECT_EQ(out.str().find('\r'), std::string::npos);
+  const std::size_t length = out.str().size();
+  progress.finish();
+  EXPECT_EQ(out.str().size(), length);
+}
+
+
+
+TEST(Progress, ShowsDurationsInAFormForPeople)
+{
+  EXPECT_EQ(duration(41.7), "42 s");
+  EXPECT_EQ(duration(185), "3:05");
+  EXPECT_EQ(duration(7800), "2:10:00");
+}
+
+
+
+TEST(Interrupt, NotesASignalAndGivesTheHandlersBack)
+{
+  const auto ignore         = [](int) {};
+  void (*const before)(int) = ignore;
+  std::signal(SIGTERM, before);
+  {
+    const Interrupt interrupt;
+    EXPECT_FALSE(interrupt.is_requested());
+    EXPECT_FALSE(interrupt.is_requested(MPI_COMM_SELF));
+    std::raise(SIGTERM);
+    EXPECT_TRUE(interrupt.is_requested());
+    EXPECT_TRUE(interrupt.is_requested(MPI_COMM_SELF));
+  }
+  EXPECT_EQ(std::signal(SIGTERM, SIG_DFL), before);
+}
+
+
+
+TEST(Interrupt, ASecondSignalEndsTheProgram)
+{
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0)
+    {
+      const Interrupt interrupt;
+      std::raise(SIGINT);
+      if (interrupt.is_requested())
+        std::raise(SIGINT);
+      _exit(0);
+    }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGINT);
+}

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/output/fault_history.h>
+#include <stickslip/output/hdf5_file.h>
+#include <stickslip/parameters/input_error.h>
+#include <stickslip/version.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "temporary_folder.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  // Values that tell record, node and component.
+  template <int dim>
+  FaultSnapshot<dim>
+  numbered_fault(const std::string &name,
+                 const unsigned int n_nodes,
+                 const double       record)
+  {
+    FaultSnapshot<dim> fault;
+    fault.name = name;
+    for (unsigned int p = 0; p < n_nodes; ++p)
+      {
+        Point<dim>         point;
+        Tensor<1, dim - 1> vector;
+        for (unsigned int d = 0; d < dim; ++d)
+          point[d] = p + 0.1 * d;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          vector[d] = 100 * record + p + 0.1 * d;
+        fault.points.push_back(point);
+        fault.weights.push_back(0.5 + p);
+        fault.slip.push_back(vector);
+        fault.slip_rate.push_back(2 * vector);
+        fault.shear_traction.push_back(3 * vector);
+        fault.normal_stress.push_back(1e4 + vector[0]);
+        fault.state.push_back(vector[0] + 0.5);
+      }
+    return fault;
+  }
+
+
+
+  struct Array
+  {
+    std::vector<hsize_t> shape;
+    std::vector<double>  values;
+  };
+
+
+
+  Array
+  read_array(const hid_t file, const std::string &path)
+  {
+    const Hdf5Handle data_set(H5Dopen2(file, path.c_str(), H5P_DEFAULT),
+                              H5Dclose,
+                              "open " + path);
+    const Hdf5Handle space(H5Dget_space(data_set), H5Sclose, "space");
+    Array            array;
+    array.shape.resize(H5Sget_simple_extent_ndims(space));
+    H5Sget_simple_extent_dims(space, array.shape.data(), nullptr);
+    array.values.resize(H5Sget_simple_extent_npoints(space));
+    if (H5Dread(data_set,
+                H5T_NATIVE_DOUBLE,
+                H5S_ALL,
+                H5S_ALL,
+                H5P_DEFAULT,
+                array.values.data()) < 0)
+      throw std::runtime_error("cannot read " + path);
+    return array;
+  }
+
+
+
+  std::string
+  read_attribute(const hid_t        file,
+                 const std::string &path,
+                 const std::string &name)
+  {
+    const Hdf5Handle attribute(H5Aopen_by_name(file,
+                                               path.c_str(),
+                                               name.c_str(),
+                                               H5P_DEFAULT,
+                                               H5P_DEFAULT),
+                               H5Aclose,
+                               "open " + name);
+    const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, "type");
+    std::string      text(H5Tget_size(type), '\0');
+    if (H5Aread(attribute, type, text.data()) < 0)
+      throw std::runtime_error("cannot read " + name);
+    return text.c_str();
+  }
+
+
+
+  Hdf5Handle
+  open_file(const std::string &name)
+  {
+    return Hdf5Handle(H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+                      H5Fclose,
+                      "open " + name);
+  }
+} // namespace
+
+
+
+TEST(FaultHistory, GivesBackWhatWasWritten)
+{
+  const TemporaryFolder folder;
+  const unsigned int    n_records = 300;
+  {
+    FaultHistory<2> history(folder.file("faults.h5"),
+                            {numbered_fault<2>("lower", 4, 0),
+                             numbered_fault<2>("upper", 161, 0)});
+    for (unsigned int i = 0; i < n_records; ++i)
+      history.add(0.1 * i,
+                  {numbered_fault<2>("lower", 4, i),
+                   numbered_fault<2>("upper", 161, i)});
+    EXPECT_EQ(history.n_records(), n_records);
+  }
+
+  const Hdf5Handle file = open_file(folder.file("faults.h5"));
+  EXPECT_EQ(read_attribute(file, "/", "program"), "stickslip");
+  EXPECT_EQ(read_attribute(file, "/", "version"), version);
+
+  const Array coordinates = read_array(file, "upper/coordinates");
+  EXPECT_EQ(coordinates.shape, (std::vector<hsize_t>{161, 2}));
+  EXPECT_EQ(coordinates.values[2 * 160 + 1], 160 + 0.1);
+  EXPECT_EQ(read_array(file, "lower/weight").values[3], 3.5);
+  EXPECT_EQ(read_array(file, "lower/time").shape,
+            (std::vector<hsize_t>{n_records}));
+  EXPECT_EQ(read_array(file, "lower/time").values[299], 0.1 * 299);
+
+  const std::vector<std::pair<std::string, std::string>> units = {
+    {"coordinates", "m"},
+    {"weight", "m"},
+    {"time", "s"},
+    {"slip", "m"},
+    {"slip_rate", "m/s"},
+    {"shear_traction", "Pa"},
+    {"normal_stress", "Pa"},
+    {"state", "s"}};
+  for (const auto &[name, unit] : units)
+    {
+      EXPECT_EQ(read_attribute(file, "upper/" + name, "units"), unit);
+      EXPECT_FALSE(
+        read_attribute(file, "upper/" + name, "description").empty());
+    }
+
+  const std::vector<double>      factors = {1, 2, 3};
+  const std::vector<std::string> names   = {"slip",
+                                            "slip_rate",
+                                            "shear_traction"};
+  for (unsigned int k = 0; k < 3; ++k)
+    {
+      const Array array = read_array(file, "upper/" + names[k]);
+      ASSERT_EQ(array.shape, (std::vector<hsize_t>{n_records, 161}));
+      for (unsigned int i = 0; i < n_records; ++i)
+        for (unsigned int p = 0; p < 161; ++p)
+          ASSERT_EQ(array.values[161 * i + p], factors[k] * (100. * i + p));
+    }
+  EXPECT_EQ(read_array(file, "lower/normal_stress").values[4 * 7 + 2], 10702);
+  EXPECT_EQ(read_array(file, "lower/state").values[4 * 7 + 2], 702.5);
+}
+
+
+
+TEST(FaultHistory, HasTwoComponentsInThreeDimensions)
+{
+  const TemporaryFolder folder;
+  {
+    FaultHistory<3> history(folder.file("faults.h5"),
+                            {numbered_fault<3>("main", 5, 0)});
+    history.add(1, {numbered_fault<3>("main", 5, 1)});
+  }
+  const Hdf5Handle file = open_file(folder.file("faults.h5"));
+  const Array      slip = read_array(file, "main/slip");
+  EXPECT_EQ(slip.shape, (std::vector<hsize_t>{1, 5, 2}));
+  EXPECT_EQ(slip.values[2 * 3 + 1], 103.1);
+  EXPECT_EQ(read_attribute(file, "main/weight", "units"), "m^2");
+}
+
+
+
+TEST(FaultHistory, CanBeReadWhileItGrows)
+{
+  const TemporaryFolder folder;
+  FaultHistory<2>       history(folder.file("faults.h5"),
+                          {numbered_fault<2>("main", 3, 0)});
+  for (unsigned int i = 0; i < 5; ++i)
+    {
+      history.add(i, {numbered_fault<2>("main", 3, i)});
+      // A copy, since within a process HDF5 would see what it has in memory.
+      std::filesystem::copy_file(
+        folder.file("faults.h5"),
+        folder.file("copy.h5"),
+        std::filesystem::copy_options::overwrite_existing);
+      const Hdf5Handle file = open_file(folder.file("copy.h5"));
+      EXPECT_EQ(read_array(file, "main/time").values.size(), i + 1);
+      EXPECT_EQ(read_array(file, "main/slip").values.back(), 100. * i + 2);
+    }
+}
+
+
+
+TEST(FaultHistory, SurvivesTheSuddenEndOfTheProgram)
+{
+  const TemporaryFolder folder;
+  const pid_t           child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0)
+    {
+      FaultHistory<2> history(folder.file("faults.h5"),
+                              {numbered_fault<2>("main", 3, 0)});
+      for (unsigned int i = 0; i < 20; ++i)
+        history.add(i, {numbered_fault<2>("main", 3, i)});
+      kill(getpid(), SIGKILL);
+    }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+
+  const Hdf5Handle file = open_file(folder.file("faults.h5"));
+  EXPECT_EQ(read_array(file, "main/time").values.size(), 20u);
+  EXPECT_EQ(read_array(file, "main/state").values.back(), 1902.5);
+}
+
+
+
+TEST(FaultHistory, ReportsAFileThatCannotBeMade)
+{
+  const TemporaryFolder folder;
+  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"), {}), InputError);
+}
