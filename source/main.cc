@@ -19,18 +19,23 @@ namespace
 {
   using namespace StickSlip;
 
+  // The exit status of a program that was interrupted, by convention.
+  constexpr int interrupted = 130;
+
+
+
   template <int dim>
-  void
+  int
   run(const SceneReader &reader)
   {
     const SceneParameters<dim> scene = reader.read<dim>();
     Simulation<dim>            simulation(scene, MPI_COMM_WORLD);
-    simulation.run();
+    return simulation.run() ? 0 : interrupted;
   }
 
 
 
-  void
+  int
   carry_out(const CommandLine &command_line, const bool may_print)
   {
     switch (command_line.task)
@@ -38,25 +43,25 @@ namespace
         case CommandLine::Task::print_help:
           if (may_print)
             std::cout << command_line_help();
-          return;
+          return 0;
         case CommandLine::Task::print_version:
           if (may_print)
             std::cout << "stickslip " << version << std::endl;
-          return;
+          return 0;
         case CommandLine::Task::print_parameter_reference:
           if (may_print)
             print_parameter_reference(std::cout);
-          return;
+          return 0;
         case CommandLine::Task::run:
           {
             const SceneReader reader(command_line.parameter_file,
                                      command_line.overrides);
             if (reader.dimension() == 2)
-              run<2>(reader);
-            else
-              run<3>(reader);
+              return run<2>(reader);
+            return run<3>(reader);
           }
       }
+    return 1;
   }
 
 
@@ -93,7 +98,7 @@ main(int argc, char *argv[])
     dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
   try
     {
-      carry_out(parse_command_line({argv + 1, argv + argc}), rank == 0);
+      return carry_out(parse_command_line({argv + 1, argv + argc}), rank == 0);
     }
   catch (const InputError &error)
     {
@@ -113,5 +118,4 @@ main(int argc, char *argv[])
         MPI_Abort(MPI_COMM_WORLD, 1);
       return 1;
     }
-  return 0;
 }

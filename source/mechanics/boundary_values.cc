@@ -6,6 +6,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/parameters/expression.h>
 
 #include <algorithm>
 
@@ -19,7 +20,6 @@ namespace StickSlip
     : meshes(meshes)
   {
     const MeshLevel<dim> &finest    = meshes.finest();
-    const std::string     variables = dim == 2 ? "x,y,t" : "x,y,z,t";
     for (const BoundaryCondition<dim> &condition : conditions)
       {
         Side side;
@@ -31,9 +31,9 @@ namespace StickSlip
         for (unsigned int c = 0; c < dim; ++c)
           {
             side.values[c] = std::make_unique<FunctionParser<dim>>();
-            side.values[c]->initialize(variables,
+            side.values[c]->initialize(expression_variables<dim>(true),
                                        condition.expression[c],
-                                       {{"pi", numbers::PI}},
+                                       expression_constants(),
                                        /*time_dependent=*/true);
           }
         const FaultSurface<dim> surface =

@@ -69,14 +69,31 @@ namespace StickSlip
 
 
   template <int dim>
+  std::string
+  expression_variables(const bool depends_on_time)
+  {
+    return std::string(dim == 2 ? "x,y" : "x,y,z") +
+           (depends_on_time ? ",t" : "");
+  }
+
+
+
+  std::map<std::string, double>
+  expression_constants()
+  {
+    return {{"pi", numbers::PI}};
+  }
+
+
+
+  template <int dim>
   double
   evaluate_expression(const std::string &expression,
                       const Point<dim>  &point,
                       const bool         depends_on_time,
                       const double       time)
   {
-    const std::string variables =
-      std::string(dim == 2 ? "x,y" : "x,y,z") + (depends_on_time ? ",t" : "");
+    const std::string variables = expression_variables<dim>(depends_on_time);
     const std::string rule =
       " (it must be one expression in " + variables + ")";
     if (has_several_values(expression))
@@ -92,7 +109,7 @@ namespace StickSlip
           FunctionParser<dim> parser(1);
           parser.initialize(variables,
                             expression,
-                            std::map<std::string, double>(),
+                            expression_constants(),
                             depends_on_time);
           parser.set_time(time);
           value = parser.value(point);
@@ -118,6 +135,10 @@ namespace StickSlip
 
 
 
+  template std::string
+  expression_variables<2>(const bool);
+  template std::string
+  expression_variables<3>(const bool);
   template double
   evaluate_expression<2>(const std::string &,
                          const Point<2> &,

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/function_parser.h>
 
+#include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/input_error.h>
 #include <stickslip/simulation/initial_state.h>
 
@@ -16,9 +17,9 @@ namespace StickSlip
     void
     initialize(FunctionParser<dim> &function, const std::string &expression)
     {
-      function.initialize(dim == 2 ? "x,y" : "x,y,z",
+      function.initialize(expression_variables<dim>(false),
                           expression,
-                          {{"pi", numbers::PI}});
+                          expression_constants());
     }
   } // namespace
 

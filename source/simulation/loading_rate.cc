@@ -3,6 +3,7 @@
 
 #include <deal.II/base/function_parser.h>
 
+#include <stickslip/parameters/expression.h>
 #include <stickslip/simulation/loading_rate.h>
 #include <stickslip/simulation/side_points.h>
 
@@ -27,9 +28,9 @@ namespace StickSlip
                                   condition.expression[component] :
                                   "0");
         FunctionParser<dim> velocity(dim);
-        velocity.initialize(dim == 2 ? "x,y,t" : "x,y,z,t",
+        velocity.initialize(expression_variables<dim>(true),
                             expressions,
-                            std::map<std::string, double>(),
+                            expression_constants(),
                             true);
 
         for (unsigned int i = 0; i <= n_intervals; ++i)

@@ -6,11 +6,22 @@
 
 #include <deal.II/base/point.h>
 
+#include <map>
 #include <string>
 
 namespace StickSlip
 {
   using namespace dealii;
+
+  /** The variables of an expression: x, y (z), and t where it depends on
+   * time, in the form that FunctionParser takes. */
+  template <int dim>
+  std::string
+  expression_variables(const bool depends_on_time);
+
+  /** The constants that an expression may use: pi. */
+  std::map<std::string, double>
+  expression_constants();
 
   /**
    * The value of a muParser expression in x, y (z) at one point, and in t where

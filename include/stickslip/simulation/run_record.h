@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_run_record_h
+#define stickslip_simulation_run_record_h
+
+#include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/output/event_catalogue.h>
+#include <stickslip/output/fault_history.h>
+#include <stickslip/output/output_cadence.h>
+#include <stickslip/output/output_directory.h>
+#include <stickslip/output/progress.h>
+#include <stickslip/output/pvd_record.h>
+#include <stickslip/output/run_summary.h>
+#include <stickslip/output/time_series.h>
+#include <stickslip/simulation/scene_parameters.h>
+#include <stickslip/time/system_state.h>
+
+namespace StickSlip
+{
+  /**
+   * All files of one run: decides what of a step is written where, and keeps
+   * what is there complete at any moment.
+   */
+  template <int dim>
+  class RunRecord
+  {
+  public:
+    /**
+     * Creates the output folder and the files. @p faults as at the start.
+     */
+    RunRecord(const SceneParameters<dim>            &scene,
+              const MeshLevel<dim>                  &level,
+              const std::vector<FaultSnapshot<dim>> &faults);
+
+    /** Take in an accepted step; the state at the start has number 0. */
+    void
+    add(const StepRecord                      &step,
+        const SystemState<dim>                &state,
+        const std::vector<FaultSnapshot<dim>> &faults);
+
+    /** Write the last state and whatever waits, and the summary. To be called
+     * however the run ends. */
+    void
+    finish(const RunSummary &summary);
+
+    const std::vector<SlipEvent> &
+    events() const;
+
+    /** The summary as far as the records know: the events. */
+    void
+    summarise(RunSummary &summary) const;
+
+  private:
+    void
+    write_fault_history();
+
+    void
+    write_volume_now();
+
+    const SceneParameters<dim> &scene;
+    const MeshLevel<dim>       &level;
+    const OutputDirectory       directory;
+    TimeSeries<dim>             time_series;
+    EventCatalogue<dim>         catalogue;
+    FaultHistory<dim>           history;
+    PvdRecord                   pvd;
+    Progress                    progress;
+    OutputCadence               fault_cadence;
+    OutputCadence               volume_cadence;
+
+    unsigned int n_volumes = 0;
+
+    /** The last step taken in, and whether it is in the files. */
+    StepRecord                      last_step;
+    const SystemState<dim>         *last_state = nullptr;
+    std::vector<FaultSnapshot<dim>> last_faults;
+    double                          last_slip_rate   = 0;
+    bool                            in_fault_history = true;
+    bool                            in_volume_output = true;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/output/volume_writer.h>
+#include <stickslip/simulation/loading_rate.h>
+#include <stickslip/simulation/run_record.h>
+#include <stickslip/simulation/scene_writer.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    template <int dim>
+    std::vector<std::string>
+    names_of(const SceneParameters<dim> &scene)
+    {
+      std::vector<std::string> names;
+      for (const FaultParameters &fault : scene.faults)
+        names.push_back(fault.name);
+      return names;
+    }
+
+
+
+    OutputDirectory
+    prepared_directory(const std::string &path)
+    {
+      OutputDirectory directory(path);
+      directory.remove_earlier_results();
+      return directory;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RunRecord<dim>::RunRecord(const SceneParameters<dim>            &scene,
+                            const MeshLevel<dim>                  &level,
+                            const std::vector<FaultSnapshot<dim>> &faults)
+    : scene(scene)
+    , level(level)
+    , directory(prepared_directory(scene.output.directory))
+    , time_series(directory.file("time_series.csv"), names_of(scene))
+    , catalogue(directory.file("events.csv"),
+                names_of(scene),
+                event_start_slip_rate(scene),
+                scene.output.event_end_fraction)
+    , history(directory.file("faults.h5"), faults)
+    , pvd(directory.file("solution.pvd"))
+    , progress(std::cout,
+               Progress::standard_output_is_terminal(),
+               scene.time.end_time)
+    , fault_cadence(scene.output.fault_slip_rate_factor,
+                    scene.output.fault_shortest_interval,
+                    scene.output.fault_longest_interval)
+    , volume_cadence(scene.output.volume_slip_rate_factor,
+                     scene.output.volume_shortest_interval,
+                     scene.output.volume_longest_interval)
+  {
+    write_parameters(scene, directory.file("parameters.prm"));
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::add(const StepRecord                      &step,
+                      const SystemState<dim>                &state,
+                      const std::vector<FaultSnapshot<dim>> &faults)
+  {
+    last_step        = step;
+    last_state       = &state;
+    last_faults      = faults;
+    in_fault_history = in_volume_output = false;
+
+    last_slip_rate = 0;
+    for (const auto &fault : faults)
+      for (unsigned int k = 0; k < fault.slip_rate.size(); ++k)
+        if (fault.weights[k] > 0.)
+          last_slip_rate = std::max(last_slip_rate, fault.slip_rate[k].norm());
+
+    if (step.step > 0)
+      {
+        time_series.add(step, faults);
+        progress.update(step.time, step.step_size, last_slip_rate);
+      }
+    catalogue.add(step.time, faults);
+    if (fault_cadence.is_due(step.time, last_slip_rate))
+      write_fault_history();
+    if (scene.output.write_volume &&
+        volume_cadence.is_due(step.time, last_slip_rate))
+      write_volume_now();
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::write_fault_history()
+  {
+    history.add(last_step.time, last_faults);
+    fault_cadence.note_written(last_step.time, last_slip_rate);
+    in_fault_history = true;
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::write_volume_now()
+  {
+    std::vector<std::pair<double, double>> lame_parameters;
+    for (const BodyParameters<dim> &body : scene.bodies)
+      lame_parameters.emplace_back(body.material.lame_lambda(),
+                                   body.material.shear_modulus());
+    pvd.add(last_step.time,
+            write_volume(scene.output.directory,
+                         n_volumes++,
+                         last_step.time,
+                         level,
+                         last_state->displacement,
+                         last_state->velocity,
+                         lame_parameters));
+    volume_cadence.note_written(last_step.time, last_slip_rate);
+    in_volume_output = true;
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::finish(const RunSummary &summary)
+  {
+    progress.finish();
+    if (!in_fault_history)
+      write_fault_history();
+    if (scene.output.write_volume && !in_volume_output)
+      write_volume_now();
+    catalogue.finish();
+    RunSummary whole = summary;
+    summarise(whole);
+    whole.write(directory.file("summary.txt"));
+  }
+
+
+
+  template <int dim>
+  const std::vector<SlipEvent> &
+  RunRecord<dim>::events() const
+  {
+    return catalogue.events();
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::summarise(RunSummary &summary) const
+  {
+    for (const FaultParameters &fault : scene.faults)
+      summary.add_count("Events",
+                        fault.name,
+                        std::count_if(catalogue.events().begin(),
+                                      catalogue.events().end(),
+                                      [&](const SlipEvent &event) {
+                                        return event.fault == fault.name;
+                                      }));
+  }
+
+
+
+  template class RunRecord<2>;
+  template class RunRecord<3>;
+} // namespace StickSlip

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/utilities.h>
+
+#include <stickslip/output/interrupt.h>
+#include <stickslip/simulation/fault_snapshots.h>
+#include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/simulation.h>
+#include <stickslip/version.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    template <int dim>
+    std::vector<BodyGeometry<dim>>
+    geometries(const SceneParameters<dim> &scene)
+    {
+      std::vector<BodyGeometry<dim>> result;
+      for (const BodyParameters<dim> &body : scene.bodies)
+        result.push_back(body.geometry);
+      return result;
+    }
+
+
+
+    template <int dim>
+    std::vector<Material>
+    materials(const SceneParameters<dim> &scene)
+    {
+      std::vector<Material> result;
+      for (const BodyParameters<dim> &body : scene.bodies)
+        result.push_back(body.material);
+      return result;
+    }
+
+
+
+    template <int dim>
+    std::vector<std::string>
+    body_names(const SceneParameters<dim> &scene)
+    {
+      std::vector<std::string> result;
+      for (const BodyParameters<dim> &body : scene.bodies)
+        result.push_back(body.name);
+      return result;
+    }
+
+
+
+    template <int dim>
+    std::vector<std::string>
+    fault_names(const SceneParameters<dim> &scene)
+    {
+      std::vector<std::string> result;
+      for (const FaultParameters &fault : scene.faults)
+        result.push_back(fault.name);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(const SceneParameters<dim> &scene,
+                              const MPI_Comm             &communicator)
+    : scene(scene)
+    , communicator(communicator)
+    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , mesh_hierarchy(geometries(scene), communicator)
+    , boundary_values(mesh_hierarchy,
+                      scene.boundary_conditions,
+                      body_names(scene))
+    , problem(mesh_hierarchy, materials(scene), boundary_values, scene.gravity)
+    , step_size_range(scene.time.end_time, 0.)
+  {}
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::run()
+  {
+    set_up();
+
+    // From here on a signal ends the run after the current step.
+    const Interrupt interrupt;
+    const auto      faults_now = [&]() {
+      return make_fault_snapshots(current,
+                                  faults,
+                                  problem.jump_basis(),
+                                  fault_names(scene));
+    };
+    record = std::make_unique<RunRecord<dim>>(scene,
+                                              mesh_hierarchy.finest(),
+                                              faults_now());
+    record->add(StepRecord(), current, faults_now());
+    bool interrupted = false;
+    try
+      {
+        while (!is_finished() && !interrupted)
+          {
+            advance();
+            interrupted = interrupt.is_requested(communicator);
+          }
+        std::ostringstream how;
+        how << (is_finished() ? "reached the end time" :
+                                "interrupted by the user")
+            << ", t = " << current.time << " s";
+        ending = how.str();
+      }
+    catch (const std::exception &error)
+      {
+        ending = error.what();
+        record->finish(summarise());
+        throw;
+      }
+    record->finish(summarise());
+    std::cout << "Run " << ending << ". Results are in "
+              << scene.output.directory << '.' << std::endl;
+    return is_finished();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_up()
+  {
+    TimerOutput::Scope section(timer, "Set-up");
+
+    const InitialEquilibrium<dim> equilibrium =
+      solve_initial_equilibrium(problem);
+    equilibrium_iterations = equilibrium.iterations;
+
+    const JumpBasis<dim> &basis = problem.jump_basis();
+    faults                      = FaultNodes<dim>(
+      basis,
+      make_fault_laws(scene),
+      make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
+    current       = make_initial_state(scene, basis, equilibrium);
+    slip_at_build = current.slip;
+
+    rate_state_step      = std::make_unique<RateStateStep<dim>>(problem,
+                                                           faults,
+                                                           scene.time,
+                                                           scene.tnnmg);
+    step_size_controller = make_step_size_controller(
+      *rate_state_step, faults, scene.time, boundary_values.longest_ramp());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::advance()
+  {
+    std::vector<StepResult<dim>> accepted;
+    {
+      TimerOutput::Scope section(timer, "Time steps");
+      accepted = step_size_controller->advance(current);
+    }
+    for (StepResult<dim> &step : accepted)
+      accept(std::move(step));
+    if (scene.contact.follow_slip)
+      rebuild_contact_if_slid();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::accept(StepResult<dim> &&step)
+  {
+    current = std::move(step.state);
+    ++step_number;
+    accepted_counts += step.counts;
+    step_size_range.first  = std::min(step_size_range.first, step.step_size);
+    step_size_range.second = std::max(step_size_range.second, step.step_size);
+
+    TimerOutput::Scope section(timer, "Output");
+    if (record)
+      {
+        StepRecord row;
+        row.step                  = step_number;
+        row.time                  = current.time;
+        row.step_size             = step.step_size;
+        row.rate_state_iterations = step.counts.rate_state_iterations;
+        row.tnnmg_iterations      = step.counts.tnnmg_iterations;
+        row.multigrid_cycles      = step.counts.multigrid_cycles;
+        record->add(row,
+                    current,
+                    make_fault_snapshots(current,
+                                         faults,
+                                         problem.jump_basis(),
+                                         fault_names(scene)));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::rebuild_contact_if_slid()
+  {
+    const JumpBasis<dim> &basis         = problem.jump_basis();
+    double                smallest_face = std::numeric_limits<double>::max();
+    for (const FaultContact<dim> &contact : basis.faults())
+      smallest_face = std::min(smallest_face, contact.smallest_face);
+    if (largest_slip<dim>(current, slip_at_build) <=
+        scene.contact.rebuild_fraction * smallest_face)
+      return;
+
+    TimerOutput::Scope section(timer, "Contact mapping");
+    problem.build_contact(current.displacement);
+    faults = FaultNodes<dim>(problem.jump_basis(),
+                             make_fault_laws(scene),
+                             faults.normal_stress());
+    rate_state_step->reinit();
+    slip_at_build = current.slip;
+
+    // The jumps of the same velocity field over the new mapping.
+    NodalVector w = problem.make_vector();
+    problem.to_jumps(w, current.velocity);
+    current.slip_rate = faults.tangential_jumps(w);
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_finished() const
+  {
+    return step_size_controller->is_finished(current.time);
+  }
+
+
+
+  template <int dim>
+  RunSummary
+  Simulation<dim>::summarise() const
+  {
+    RunSummary summary;
+    summary.add("Run", "program", std::string("stickslip ") + version);
+    summary.add("Run", "ending", ending);
+    summary.add("Run", "simulated time", current.time, "s");
+    summary.add_count("Run",
+                      "processes",
+                      Utilities::MPI::n_mpi_processes(communicator));
+    summarise_meshes(summary);
+
+    summary.add_count("Steps", "accepted", step_number);
+    summary.add_count("Steps", "rejected", step_size_controller->n_rejected());
+    summary.add_count("Steps", "solved", rate_state_step->n_steps());
+    summary.add("Steps", "smallest step size", step_size_range.first, "s");
+    summary.add("Steps", "largest step size", step_size_range.second, "s");
+    summary.add_count("Steps", "contact mappings built", problem.n_builds());
+
+    const StepCounts &all        = rate_state_step->total_counts();
+    const auto        add_counts = [&](const std::string &key,
+                                const unsigned int accepted,
+                                const unsigned int total) {
+      summary.add_count("Iterations", key + ", accepted steps", accepted);
+      summary.add_count("Iterations", key + ", all steps", total);
+      summary.add("Iterations",
+                  key + ", per accepted step",
+                  double(accepted) / std::max(step_number, 1u));
+    };
+    summary.add_count("Iterations", "CG at the start", equilibrium_iterations);
+    add_counts("rate-state",
+               accepted_counts.rate_state_iterations,
+               all.rate_state_iterations);
+    add_counts("TNNMG", accepted_counts.tnnmg_iterations, all.tnnmg_iterations);
+    add_counts("multigrid cycles",
+               accepted_counts.multigrid_cycles,
+               all.multigrid_cycles);
+    if (nodes_in_tension > 0)
+      summary.add_count("Faults",
+                        "nodes in tension at the start, without friction",
+                        nodes_in_tension);
+
+    for (const auto &section :
+         timer.get_summary_data(TimerOutput::total_wall_time))
+      summary.add("Wall time", section.first, section.second, "s");
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    summary.add("Memory", "largest resident size", memory.VmHWM / 1024., "MB");
+    summary.add("Memory",
+                "level hierarchy",
+                problem.hierarchy().memory_consumption() / 1048576.,
+                "MB");
+    return summary;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::summarise_meshes(RunSummary &summary) const
+  {
+    unsigned int n_vertices = 0, n_cells = 0;
+    double       smallest = std::numeric_limits<double>::max(), largest = 0;
+    const auto   add = [&summary](const std::string &section,
+                                const unsigned int vertices,
+                                const unsigned int cells,
+                                const double       smallest,
+                                const double       largest) {
+      summary.add_count(section, "vertices", vertices);
+      summary.add_count(section, "cells", cells);
+      summary.add(section, "smallest cell diameter", smallest, "m");
+      summary.add(section, "largest cell diameter", largest, "m");
+    };
+    const MeshLevel<dim> &finest = mesh_hierarchy.finest();
+    for (unsigned int i = 0; i < finest.bodies.size(); ++i)
+      {
+        const auto &mesh      = finest.bodies[i]->triangulation();
+        const auto  diameters = finest.bodies[i]->cell_diameters();
+        add("Mesh of body " + scene.bodies[i].name,
+            mesh.n_used_vertices(),
+            mesh.n_active_cells(),
+            diameters.first,
+            diameters.second);
+        n_vertices += mesh.n_used_vertices();
+        n_cells += mesh.n_active_cells();
+        smallest = std::min(smallest, diameters.first);
+        largest  = std::max(largest, diameters.second);
+      }
+    add("Mesh of all bodies", n_vertices, n_cells, smallest, largest);
+    summary.add_count("Mesh of all bodies",
+                      "levels",
+                      mesh_hierarchy.n_levels());
+
+    const LevelDescription &level = problem.hierarchy().finest();
+    summary.add_count("Unknowns", "all", level.nodes.n_global() * dim);
+    summary.add_count("Unknowns",
+                      "not fixed",
+                      level.nodes.n_global() * dim - level.fixed.n_masked());
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+      {
+        const FaultContact<dim> &contact = problem.jump_basis().faults()[f];
+        summary.add_count("Fault " + scene.faults[f].name,
+                          "nodes",
+                          contact.slave_nodes.size());
+        summary.add("Fault " + scene.faults[f].name,
+                    "slave body",
+                    scene.bodies[contact.sides.slave_body].name);
+        summary.add("Fault " + scene.faults[f].name,
+                    "area in contact",
+                    contact.coupling.covered_area,
+                    dim == 2 ? "m" : "m^2");
+      }
+  }
+
+
+
+  template <int dim>
+  const SystemState<dim> &
+  Simulation<dim>::state() const
+  {
+    return current;
+  }
+
+
+
+  template <int dim>
+  const MeshHierarchy<dim> &
+  Simulation<dim>::meshes() const
+  {
+    return mesh_hierarchy;
+  }
+
+
+
+  template <int dim>
+  SpatialProblem<dim> &
+  Simulation<dim>::spatial_problem()
+  {
+    return problem;
+  }
+
+
+
+  template <int dim>
+  FaultNodes<dim> &
+  Simulation<dim>::fault_nodes()
+  {
+    return faults;
+  }
+
+
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace StickSlip
