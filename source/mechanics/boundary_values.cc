@@ -19,7 +19,7 @@ namespace StickSlip
     const std::vector<std::string>            &body_names)
     : meshes(meshes)
   {
-    const MeshLevel<dim> &finest    = meshes.finest();
+    const MeshLevel<dim> &finest = meshes.finest();
     for (const BoundaryCondition<dim> &condition : conditions)
       {
         Side side;

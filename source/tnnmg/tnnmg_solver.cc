@@ -159,7 +159,7 @@ namespace StickSlip
     change.sadd(-1., 1., w);
     residual -= smoothed_residual;
     summary.correction_norm = std::sqrt(std::abs(change * residual));
-    residual = smoothed_residual;
+    residual                = smoothed_residual;
 
     cg_residual = b;
     cg_residual -= residual;

@@ -7,7 +7,6 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
-
 #include <vector>
 
 namespace StickSlip
