@@ -68,7 +68,7 @@ def read_fault(path, name):
         if name not in file:
             raise RunError(f"{path} holds no fault {name}.")
         group = file[name]
-        x = np.array(group["x"])
+        x = np.array(group["coordinates"])
         time = np.array(group["time"]).ravel()
         rate = np.abs(np.array(group["slip_rate"]))
     if x.ndim == 2:

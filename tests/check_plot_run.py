@@ -83,7 +83,7 @@ def write_run(directory, with_events=True, dim=2):
         vectors[...] = rate
     with h5py.File(directory / "faults.h5", "w") as file:
         group = file.create_group(FAULT)
-        group["x"], group["weight"], group["time"] = points, weight, t
+        group["coordinates"], group["weight"], group["time"] = points, weight, t
         group["slip_rate"] = vectors
         group["slip"] = np.zeros(shape)
         group["shear_traction"] = np.zeros(shape)

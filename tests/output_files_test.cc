@@ -25,7 +25,7 @@ using namespace StickSlip::Tests;
 
 TEST(OutputCadence, WritesFirstThenAfterTheLongestInterval)
 {
-  OutputCadence cadence(2, 0.01, 0.5);
+  OutputCadence cadence(2, 0, 0.01, 0.5);
   EXPECT_TRUE(cadence.is_due(0, 0));
   cadence.note_written(0, 1e-9);
   EXPECT_FALSE(cadence.is_due(0.49, 1e-9));
@@ -41,9 +41,21 @@ TEST(OutputCadence, WritesFirstThenAfterTheLongestInterval)
 
 
 
+TEST(OutputCadence, WritesAfterEnoughSlipAtASteadyRate)
+{
+  OutputCadence cadence(2, 1e-5, 0.01, 10);
+  cadence.note_written(1, 1e-4);
+  EXPECT_FALSE(cadence.is_due(1.09, 1e-4));
+  EXPECT_TRUE(cadence.is_due(1.1, 1e-4));
+  EXPECT_FALSE(cadence.is_due(1.005, 1.));
+  EXPECT_TRUE(cadence.is_due(1.01, 1.));
+}
+
+
+
 TEST(OutputCadence, WritesWhenTheSlipRateHasChangedButNotTooOften)
 {
-  OutputCadence cadence(2, 0.01, 0.5);
+  OutputCadence cadence(2, 0, 0.01, 0.5);
   cadence.note_written(1, 1e-6);
   EXPECT_FALSE(cadence.is_due(1.1, 1.9e-6));
   EXPECT_TRUE(cadence.is_due(1.1, 2.1e-6));

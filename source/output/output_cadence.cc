@@ -8,9 +8,11 @@
 namespace StickSlip
 {
   OutputCadence::OutputCadence(const double slip_rate_factor,
+                               const double slip_interval,
                                const double shortest_interval,
                                const double longest_interval)
     : slip_rate_factor(slip_rate_factor)
+    , slip_interval(slip_interval)
     , shortest_interval(shortest_interval)
     , longest_interval(longest_interval)
   {}
@@ -29,7 +31,11 @@ namespace StickSlip
     const double interval = time - last_time + rounding;
     if (interval >= longest_interval)
       return true;
-    if (interval < shortest_interval || slip_rate == last_slip_rate)
+    if (interval < shortest_interval)
+      return false;
+    if (slip_interval > 0. && slip_rate * interval >= slip_interval)
+      return true;
+    if (slip_rate == last_slip_rate)
       return false;
     return slip_rate >= slip_rate_factor * last_slip_rate ||
            slip_rate * slip_rate_factor <= last_slip_rate;

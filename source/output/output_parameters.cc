@@ -21,6 +21,13 @@ namespace StickSlip
                "A record is added to faults.h5 when the largest slip rate has "
                "changed by this factor since the last one, without unit.");
     add_number(prm,
+               "Fault slip interval",
+               fault_slip_interval,
+               NumberRange().at_least(0),
+               "A record is added to faults.h5 when the largest slip rate "
+               "would have made the fault slip this far since then, in m; 0: "
+               "not for this reason.");
+    add_number(prm,
                "Fault shortest interval",
                fault_shortest_interval,
                NumberRange().at_least(0),
@@ -41,6 +48,13 @@ namespace StickSlip
                NumberRange().above(1),
                "VTU files are written when the largest slip rate has changed "
                "by this factor since the last ones, without unit.");
+    add_number(prm,
+               "Volume slip interval",
+               volume_slip_interval,
+               NumberRange().at_least(0),
+               "VTU files are written when the largest slip rate "
+               "would have made the fault slip this far since then, in m; 0: "
+               "not for this reason.");
     add_number(prm,
                "Volume shortest interval",
                volume_shortest_interval,

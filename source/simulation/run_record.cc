@@ -54,9 +54,11 @@ namespace StickSlip
                Progress::standard_output_is_terminal(),
                scene.time.end_time)
     , fault_cadence(scene.output.fault_slip_rate_factor,
+                    scene.output.fault_slip_interval,
                     scene.output.fault_shortest_interval,
                     scene.output.fault_longest_interval)
     , volume_cadence(scene.output.volume_slip_rate_factor,
+                     scene.output.volume_slip_interval,
                      scene.output.volume_shortest_interval,
                      scene.output.volume_longest_interval)
   {

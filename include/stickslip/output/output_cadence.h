@@ -15,10 +15,13 @@ namespace StickSlip
   public:
     /**
      * Write when the slip rate has changed by @p slip_rate_factor up or down
-     * since the last time, but not before @p shortest_interval has passed, and
-     * in any case after @p longest_interval; both in s.
+     * since the last time, or would have made the fault slip by @p
+     * slip_interval since then (m; zero: never for this reason), but not before
+     * @p shortest_interval has passed, and in any case after @p
+     * longest_interval; both in s.
      */
     OutputCadence(const double slip_rate_factor,
+                  const double slip_interval,
                   const double shortest_interval,
                   const double longest_interval);
 
@@ -37,6 +40,7 @@ namespace StickSlip
 
   private:
     double slip_rate_factor;
+    double slip_interval;
     double shortest_interval;
     double longest_interval;
 

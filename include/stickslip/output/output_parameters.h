@@ -23,6 +23,9 @@ namespace StickSlip
     /** Cadence of faults.h5: a record is written when the largest slip rate
      * of any fault has changed by this factor since the last one, ... */
     double fault_slip_rate_factor = 2.;
+    /** ... or would have made the fault slip this far since then, m; zero:
+     * not for this reason, ... */
+    double fault_slip_interval = 1e-5;
     /** ... but not within this time of it, s, ... */
     double fault_shortest_interval = 1e-3;
     /** ... and at the latest after this time, s. */
@@ -30,6 +33,7 @@ namespace StickSlip
 
     /** The same for the VTU files. */
     double volume_slip_rate_factor  = 100.;
+    double volume_slip_interval     = 1e-4;
     double volume_shortest_interval = 0.05;
     double volume_longest_interval  = 5.;
     bool   write_volume             = true;
