@@ -24,9 +24,10 @@ namespace StickSlip
         const double    V   = state.slip_rate[k].norm();
         past.state_rate[k] =
           state_rate(law.state_law, state.alpha[k], V, law.characteristic_slip);
-        past.friction[k] = std::copysign(
-          law.friction->coefficient(V, law.friction->node_data(state.alpha[k])),
-          state.slip_rate[k][0]);
+        const double coefficient =
+          law.friction->coefficient(V, law.friction->node_data(state.alpha[k]));
+        if (V > 0.)
+          past.friction[k] = coefficient / V * state.slip_rate[k];
       }
     return past;
   }
@@ -93,7 +94,8 @@ namespace StickSlip
     for (unsigned int k = 0; k < n; ++k)
       friction_error[k] =
         (past.friction[k] - w0 * history[0].friction[k] -
-         w1 * history[1].friction[k] - w2 * history[2].friction[k]) /
+         w1 * history[1].friction[k] - w2 * history[2].friction[k])
+          .norm() /
         std::max(faults.law(k).a, faults.law(k).b) * c0 / (cc + c0);
     return std::hypot(state_error, faults.l2_norm(friction_error));
   }

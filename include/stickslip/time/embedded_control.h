@@ -13,11 +13,11 @@ namespace StickSlip
    * step. Two quantities of each contact node are compared with their
    * extrapolations over steps h (the current one), h1 and h2:
    *
-   *   state:     e = (alpha - AB2) / (3 (1 + h1/h)), where AB2 is the
-   *              Adams-Bashforth prediction from the last two state rates;
-   *   traction:  e = (mu - extrapolated) / max(a, b) * c0 / (cc + c0), where mu
-   * is the friction coefficient with the sign of the slip rate, c0 = h^3/12 and
-   * cc = h (h + h1) (h + h1 + h2) / 6.
+   * - state: e = (alpha - AB2) / (3 (1 + h1/h)), where AB2 is the
+   *   Adams-Bashforth prediction from the last two state rates;
+   * - traction: e = |m - extrapolated| / max(a, b) * c0 / (cc + c0), where m is
+   *   the friction coefficient times the direction of the slip rate, c0 =
+   *   h^3/12 and cc = h (h + h1) (h + h1 + h2) / 6.
    *
    * Both are Milne's device: the known ratio of the error constants of the
    * step and of its prediction. The error is the L2(fault) norm of both; the
@@ -40,7 +40,8 @@ namespace StickSlip
       double              time = 0;
       NodalVector         velocity;
       std::vector<double> state_rate;
-      std::vector<double> friction;
+      /** Friction coefficient times the direction of the slip rate. */
+      std::vector<Tensor<1, dim - 1>> friction;
     };
 
     Past
