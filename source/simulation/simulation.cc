@@ -216,17 +216,28 @@ namespace StickSlip
         scene.contact.rebuild_fraction * smallest_face)
       return;
 
-    TimerOutput::Scope section(timer, "Contact mapping");
+    TimerOutput::Scope    section(timer, "Contact mapping");
+    const FaultNodes<dim> before = std::move(faults);
     problem.build_contact(current.displacement);
     faults = FaultNodes<dim>(problem.jump_basis(),
                              make_fault_laws(scene),
-                             faults.normal_stress());
+                             before.normal_stress());
     rate_state_step->reinit();
     slip_at_build = current.slip;
 
-    // The jumps of the same velocity field over the new mapping.
+    // The slip rates belong to the nodes of the fault and stay; the velocity of
+    // the slave side follows from them and from the new partners. Nodes that
+    // come into contact get the jump of the velocities as they are.
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, current.velocity);
+    for (const unsigned int k : faults.contact())
+      {
+        w.local_element(faults.node(k) * dim + dim - 1) = 0.;
+        if (before.in_contact(k))
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            w.local_element(faults.node(k) * dim + d) = current.slip_rate[k][d];
+      }
+    problem.to_nodal(current.velocity, w);
     current.slip_rate = faults.tangential_jumps(w);
   }
 
