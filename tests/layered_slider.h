@@ -38,24 +38,50 @@ namespace StickSlip::Tests
       , problem(meshes, {Material(), Material()}, boundary, 0.)
     {}
 
-    /** Set the operator, and return the right hand side, of a Newmark step of
-     * size @p tau under the shear traction @p traction (Pa). */
+    /**
+     * Set the operator, and return the right hand side, of a Newmark step of
+     * size @p tau. The bodies are in static equilibrium after the top has been
+     * moved with the fault stuck, so far that the shear traction is @p
+     * traction (Pa) except near the ends.
+     */
     NodalVector
     set_step(const double tau, const double traction)
     {
-      problem.hierarchy().combine(Newmark::operator_coefficients(tau));
       SystemState<2> state;
       state.time          = 10.;
-      state.displacement  = problem.make_vector();
       state.velocity      = problem.make_vector();
       state.acceleration  = problem.make_vector();
+      NodalVector  w      = problem.make_vector();
       const double strain = traction / Material().shear_modulus();
       for_each_node([&](const unsigned int node, const Point<2> &x) {
-        state.displacement.local_element(2 * node) =
-          strain * (x[1] - first_body_base);
+        w.local_element(2 * node) = strain * (x[1] - first_body_base);
         state.velocity.local_element(2 * node) =
           loading_rate * (x[1] - first_body_base) / 2.;
       });
+      state.displacement = w;
+      problem.to_jumps(w, state.displacement);
+
+      // Uniform shear pulls at the free sides; a V-cycle halves the error.
+      LevelHierarchy<2> &hierarchy = problem.hierarchy();
+      hierarchy.combine({0., 0., 1.});
+      NodeMask stuck = hierarchy.finest().fixed;
+      for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
+        stuck.mask_node(p);
+      hierarchy.linearise(std::vector<Tensor<2, 2>>(
+                            hierarchy.finest().nonsmooth_nodes.size()),
+                          stuck);
+      const NodalVector zero     = problem.make_vector();
+      NodalVector       residual = zero, correction = zero;
+      for (unsigned int cycle = 0; cycle < 60; ++cycle)
+        {
+          hierarchy.matrix().residual(residual, zero, w);
+          stuck.apply(residual);
+          hierarchy.v_cycle(correction, residual);
+          w += correction;
+        }
+      problem.to_nodal(state.displacement, w);
+
+      hierarchy.combine(Newmark::operator_coefficients(tau));
       return Newmark::right_hand_side(problem, state, tau);
     }
 

@@ -164,7 +164,6 @@ TEST(Multigrid, CycleIsSymmetric)
         hierarchy.v_cycle(Vy, y);
         EXPECT_NEAR(x * Vy, y * Vx, 1e-13 * x.l2_norm() * Vy.l2_norm());
         EXPECT_GT(x * Vx, 0.);
-        active.apply(Vx);
         NodalVector once = Vy;
         hierarchy.v_cycle(once, y);
         EXPECT_TRUE(is_equal(once, Vy));
@@ -188,8 +187,6 @@ TEST(Multigrid, ConvergesAlikeOnAllLevels)
           const unsigned int iterations = cg_iterations(hierarchy, active);
           least                         = std::min(least, iterations);
           most                          = std::max(most, iterations);
-          std::cout << "CG " << probability << ' ' << n << ": " << iterations
-                    << std::endl;
         }
       EXPECT_LE(most, 15u) << probability;
       EXPECT_LE(most - least, 2u) << probability;
@@ -227,9 +224,6 @@ TEST(Multigrid, RandomTruncationDoesNotDiverge)
               EXPECT_LT(norm, old);
               old = norm;
             }
-          std::cout << "factor " << upper_cells << ' ' << probability << ": "
-                    << std::pow(old / first, 1. / 30) << " CG "
-                    << cg_iterations(hierarchy, active) << std::endl;
           EXPECT_LT(std::pow(old / first, 1. / 30), 0.7);
           EXPECT_LE(cg_iterations(hierarchy, active), 15u);
         }
@@ -322,7 +316,7 @@ TEST(TNNMG, IterationsDoNotGrowWithTheMesh)
     {"half and half",
      1e-2,
      0.65,
-     [](double x, unsigned) { return x < 0. ? -7. : 14.; }},
+     [](double x, unsigned) { return 3.5 + 10.5 * std::tanh(x / 0.5); }},
     {"slipping", 1e-3, 0.75, [](double, unsigned) { return 0.; }}};
 
   TNNMGParameters parameters;
@@ -345,16 +339,6 @@ TEST(TNNMG, IterationsDoNotGrowWithTheMesh)
             const unsigned int iterations = summary.iterations.size();
             least                         = std::min(least, iterations);
             most                          = std::max(most, iterations);
-            double lo = 1e300, hi = 0;
-            for (auto &t : friction.terms)
-              {
-                double v = std::abs(w.local_element(2 * t.node));
-                lo       = std::min(lo, v);
-                hi       = std::max(hi, v);
-              }
-            std::cout << moment.name << ' ' << n << ": " << iterations << " V "
-                      << lo << ".." << hi << " trunc "
-                      << summary.iterations.back().n_truncated << std::endl;
           }
         EXPECT_LE(most, 12u) << moment.name;
         EXPECT_LE(most - least, 2u) << moment.name;
