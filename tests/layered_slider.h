@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tests_layered_slider_h
+#define stickslip_tests_layered_slider_h
+
+#include <stickslip/time/newmark.h>
+#include <stickslip/time/spatial_problem.h>
+
+#include <functional>
+
+#include "friction_chain.h"
+
+namespace StickSlip::Tests
+{
+  /**
+   * The rate problem of two bodies of 5 m x 1 m in uniform shear, the lower one
+   * held at its bottom and the upper one dragged along at its top. Gravity is
+   * left out; the normal stress on the fault is given.
+   */
+  struct LayeredSlider
+  {
+    static constexpr double normal_stress   = 4.9e4;
+    static constexpr double loading_rate    = 2e-4;
+    static constexpr double first_body_base = -1.;
+
+    MeshHierarchy<2>  meshes;
+    BoundaryValues<2> boundary;
+    SpatialProblem<2> problem;
+
+    LayeredSlider(const std::array<unsigned int, 2> &lower_cells,
+                  const std::array<unsigned int, 2> &upper_cells,
+                  const unsigned int                 refinement_passes)
+      : meshes({body(first_body_base, lower_cells, refinement_passes),
+                body(first_body_base + 1., upper_cells, refinement_passes)},
+               MPI_COMM_WORLD)
+      , boundary(meshes, conditions(), {"lower", "upper"})
+      , problem(meshes, {Material(), Material()}, boundary, 0.)
+    {}
+
+    /**
+     * Set the operator, and return the right hand side, of a Newmark step of
+     * size @p tau. The bodies are in static equilibrium after the top has been
+     * moved with the fault stuck, so far that the shear traction is @p
+     * traction (Pa) except near the ends.
+     */
+    NodalVector
+    set_step(const double tau, const double traction)
+    {
+      SystemState<2> state;
+      state.time          = 10.;
+      state.velocity      = problem.make_vector();
+      state.acceleration  = problem.make_vector();
+      NodalVector  w      = problem.make_vector();
+      const double strain = traction / Material().shear_modulus();
+      for_each_node([&](const unsigned int node, const Point<2> &x) {
+        w.local_element(2 * node) = strain * (x[1] - first_body_base);
+        state.velocity.local_element(2 * node) =
+          loading_rate * (x[1] - first_body_base) / 2.;
+      });
+      state.displacement = w;
+      problem.to_jumps(w, state.displacement);
+
+      // Uniform shear pulls at the free sides; a V-cycle halves the error.
+      LevelHierarchy<2> &hierarchy = problem.hierarchy();
+      hierarchy.combine({0., 0., 1.});
+      NodeMask stuck = hierarchy.finest().fixed;
+      for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
+        stuck.mask_node(p);
+      hierarchy.linearise(std::vector<Tensor<2, 2>>(
+                            hierarchy.finest().nonsmooth_nodes.size()),
+                          stuck);
+      const NodalVector zero     = problem.make_vector();
+      NodalVector       residual = zero, correction = zero;
+      for (unsigned int cycle = 0; cycle < 60; ++cycle)
+        {
+          hierarchy.matrix().residual(residual, zero, w);
+          stuck.apply(residual);
+          hierarchy.v_cycle(correction, residual);
+          w += correction;
+        }
+      problem.to_nodal(state.displacement, w);
+
+      hierarchy.combine(Newmark::operator_coefficients(tau));
+      return Newmark::right_hand_side(problem, state, tau);
+    }
+
+    /** Zero but for what is prescribed. */
+    NodalVector
+    start()
+    {
+      NodalVector w = problem.make_vector();
+      boundary.set_velocities(10., w);
+      return w;
+    }
+
+    /** Friction with the state alpha at a position along the fault and the
+     * number of the node. */
+    Friction<2>
+    friction(
+      const Kind                                                 kind,
+      const std::function<double(const double, const unsigned)> &alpha) const
+    {
+      const FaultContact<2> &contact = problem.jump_basis().faults()[0];
+      std::vector<double>    weights, states;
+      for (const unsigned int node : problem.jump_basis().contact_nodes())
+        {
+          const unsigned int k = std::find(contact.slave_nodes.begin(),
+                                           contact.slave_nodes.end(),
+                                           node) -
+                                 contact.slave_nodes.begin();
+          weights.push_back(contact.coupling.weight[k]);
+          states.push_back(alpha(contact.slave_surface.points[k][0], k));
+        }
+      return make_friction<2>(kind,
+                              problem.jump_basis().contact_nodes(),
+                              weights,
+                              normal_stress,
+                              states);
+    }
+
+    void
+    for_each_node(const std::function<void(const unsigned int,
+                                           const Point<2> &)> &action) const
+    {
+      const MeshLevel<2> &level = meshes.finest();
+      for (unsigned int b = 0; b < level.bodies.size(); ++b)
+        {
+          const std::vector<Point<2>> points =
+            level.bodies[b]->node_positions();
+          for (unsigned int i = 0; i < points.size(); ++i)
+            action(level.node(b, i), points[i]);
+        }
+    }
+
+  private:
+    static BodyGeometry<2>
+    body(const double                       base,
+         const std::array<unsigned int, 2> &cells,
+         const unsigned int                 passes)
+    {
+      BodyGeometry<2> geometry;
+      geometry.base              = base;
+      geometry.coarse_cells      = cells;
+      geometry.refinement_passes = passes;
+      return geometry;
+    }
+
+    static std::vector<BoundaryCondition<2>>
+    conditions()
+    {
+      BoundaryCondition<2> bottom, top;
+      bottom.body       = "lower";
+      bottom.side       = BodyMesh<2>::lower_side;
+      bottom.type       = {{BoundaryType::fixed, BoundaryType::fixed}};
+      top.body          = "upper";
+      top.side          = BodyMesh<2>::upper_side;
+      top.type          = {{BoundaryType::velocity, BoundaryType::free}};
+      top.expression[0] = "2e-4";
+      return {bottom, top};
+    }
+  };
+} // namespace StickSlip::Tests
+
+#endif

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/tnnmg/tnnmg_solver.h>
+
+#include "layered_slider.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  constexpr std::array<unsigned int, 2> cells    = {{10, 2}};
+  constexpr unsigned int                passes[] = {2, 3, 4, 5};
+
+  NodalVector
+  random_vector(const LevelDescription &level, const NodeMask &active)
+  {
+    static std::mt19937              engine(11);
+    std::normal_distribution<double> normal;
+    NodalVector                      x = level.nodes.make_vector();
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      x.local_element(i) = normal(engine);
+    active.apply(x);
+    return x;
+  }
+
+
+
+  /** Equal to the last bit. */
+  bool
+  is_equal(const NodalVector &x, const NodalVector &y)
+  {
+    return std::equal(x.begin(), x.end(), y.begin());
+  }
+
+
+
+  /** Each tangential jump is truncated with this probability. */
+  NodeMask
+  truncation(const LevelDescription &finest, const double probability)
+  {
+    static std::mt19937         engine(5);
+    std::bernoulli_distribution is_truncated(probability);
+    NodeMask                    active = finest.fixed;
+    for (const unsigned int p : finest.nonsmooth_nodes)
+      if (is_truncated(engine))
+        active.mask(p, 0);
+    return active;
+  }
+
+
+
+  /** Without friction, where it is not truncated. */
+  void
+  truncate(LevelHierarchy<2> &hierarchy, const NodeMask &active)
+  {
+    hierarchy.linearise(std::vector<Tensor<2, 2>>(
+                          hierarchy.finest().nonsmooth_nodes.size()),
+                        active);
+  }
+
+
+
+  /** CG steps with one V-cycle each that reduce the residual by 1e-8. */
+  unsigned int
+  cg_iterations(LevelHierarchy<2> &hierarchy, const NodeMask &active)
+  {
+    NodalVector  r = random_vector(hierarchy.finest(), active);
+    NodalVector  z = r, p = r, Ap = r;
+    const double target = 1e-8 * r.l2_norm();
+    double       rz     = 0;
+    for (unsigned int k = 0; k < 100; ++k)
+      {
+        if (r.l2_norm() <= target)
+          return k;
+        hierarchy.v_cycle(z, r);
+        const double rz_new = r * z;
+        if (k == 0)
+          p = z;
+        else
+          p.sadd(rz_new / rz, 1., z);
+        rz = rz_new;
+        hierarchy.vmult_linearised(Ap, p);
+        r.add(-rz / (p * Ap), Ap);
+      }
+    return 100;
+  }
+
+
+
+  /** The levels of a slider, described anew, with what is truncated on the
+   * finest level handed down: a coarse jump is dropped if all fine jumps in its
+   * reach are. */
+  std::vector<LevelDescription>
+  describe_levels(LayeredSlider &slider, const NodeMask &active)
+  {
+    const unsigned int n_levels = slider.meshes.n_levels();
+    const FaultSides   sides    = slider.problem.jump_basis().faults()[0].sides;
+    std::vector<LevelDescription> levels(n_levels);
+    std::vector<JumpBasis<2>>     bases;
+    for (unsigned int l = 0; l < n_levels; ++l)
+      {
+        const MeshLevel<2> &mesh      = slider.meshes.level(l);
+        const NodeMask      dirichlet = slider.boundary.dirichlet_mask(l);
+        bases.emplace_back(mesh,
+                           std::vector<FaultSides>{sides},
+                           mesh.nodes.make_vector(),
+                           dirichlet);
+        levels[l].nodes           = mesh.nodes;
+        levels[l].nonsmooth_nodes = bases[l].contact_nodes();
+        levels[l].fixed           = dirichlet;
+        for (unsigned int b = 0; b < mesh.bodies.size(); ++b)
+          for (const auto &line : mesh.bodies[b]->hanging_nodes().get_lines())
+            levels[l].fixed.mask_node(mesh.node(b, line.index));
+        for (const unsigned int p : levels[l].nonsmooth_nodes)
+          levels[l].fixed.mask(p, 1);
+        if (l > 0)
+          levels[l].prolongation =
+            jump_prolongation(bases[l - 1],
+                              bases[l],
+                              slider.meshes.prolongation(l));
+      }
+
+    levels.back().fixed = active;
+    for (unsigned int l = n_levels - 1; l > 0; --l)
+      {
+        std::vector<bool> reaches_active(levels[l - 1].fixed.n_nodes(), false);
+        const auto       &P = levels[l].prolongation.matrix();
+        for (const unsigned int i : levels[l].nonsmooth_nodes)
+          for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
+            if (levels[l].fixed.is_active(i, 0))
+              reaches_active[P.column[k]] = true;
+        for (const unsigned int I : levels[l - 1].nonsmooth_nodes)
+          if (!reaches_active[I])
+            levels[l - 1].fixed.mask(I, 0);
+      }
+    return levels;
+  }
+} // namespace
+
+
+
+TEST(Multigrid, CycleIsSymmetric)
+{
+  LayeredSlider      slider(cells, {{14, 2}}, 3);
+  LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+  slider.set_step(1e-2, 0.);
+  for (const unsigned int sweeps : {1, 2})
+    for (const double probability : {0., 0.5, 1.})
+      {
+        hierarchy.set_smoothing_sweeps(sweeps);
+        const NodeMask active = truncation(hierarchy.finest(), probability);
+        std::vector<Tensor<2, 2>> H(hierarchy.finest().nonsmooth_nodes.size());
+        for (unsigned int k = 0; k < H.size(); ++k)
+          if (active.is_active(hierarchy.finest().nonsmooth_nodes[k], 0))
+            H[k][0][0] = 1e6 * (k % 7);
+        hierarchy.linearise(H, active);
+        const NodalVector x  = random_vector(hierarchy.finest(), active);
+        const NodalVector y  = random_vector(hierarchy.finest(), active);
+        NodalVector       Vx = x, Vy = y;
+        hierarchy.v_cycle(Vx, x);
+        hierarchy.v_cycle(Vy, y);
+        EXPECT_NEAR(x * Vy, y * Vx, 1e-13 * x.l2_norm() * Vy.l2_norm());
+        EXPECT_GT(x * Vx, 0.);
+        NodalVector once = Vy;
+        hierarchy.v_cycle(once, y);
+        EXPECT_TRUE(is_equal(once, Vy));
+      }
+}
+
+
+
+TEST(Multigrid, ConvergesAlikeOnAllLevels)
+{
+  for (const double probability : {0., 1.})
+    {
+      unsigned int least = 100, most = 0;
+      for (const unsigned int n : passes)
+        {
+          LayeredSlider slider(cells, cells, n);
+          slider.set_step(1e-2, 0.);
+          LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+          const NodeMask active = truncation(hierarchy.finest(), probability);
+          truncate(hierarchy, active);
+          const unsigned int iterations = cg_iterations(hierarchy, active);
+          least                         = std::min(least, iterations);
+          most                          = std::max(most, iterations);
+        }
+      EXPECT_LE(most, 15u) << probability;
+      EXPECT_LE(most - least, 2u) << probability;
+    }
+}
+
+
+
+TEST(Multigrid, RandomTruncationDoesNotDiverge)
+{
+  // Meshes that match at the fault, and others that do not.
+  for (const unsigned int upper_cells : {10u, 14u})
+    {
+      LayeredSlider slider(cells, {{upper_cells, 2}}, 4);
+      slider.set_step(1e-2, 0.);
+      LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+      for (const double probability : {0.1, 0.5, 0.9})
+        {
+          SCOPED_TRACE(testing::Message() << upper_cells << ' ' << probability);
+          const NodeMask active = truncation(hierarchy.finest(), probability);
+          truncate(hierarchy, active);
+
+          // The error of the plain iteration in the energy norm.
+          NodalVector error   = random_vector(hierarchy.finest(), active);
+          NodalVector product = error, correction = error;
+          hierarchy.vmult_linearised(product, error);
+          const double first = std::sqrt(error * product);
+          double       old   = first;
+          for (unsigned int k = 0; k < 30; ++k)
+            {
+              hierarchy.v_cycle(correction, product);
+              error -= correction;
+              hierarchy.vmult_linearised(product, error);
+              const double norm = std::sqrt(error * product);
+              EXPECT_LT(norm, old);
+              old = norm;
+            }
+          EXPECT_LT(std::pow(old / first, 1. / 30), 0.7);
+          EXPECT_LE(cg_iterations(hierarchy, active), 15u);
+        }
+    }
+}
+
+
+
+TEST(Multigrid, LinearisationNearFaultsEqualsAllProducts)
+{
+  LayeredSlider      slider(cells, {{14, 2}}, 3);
+  LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+  const auto        &nodes     = hierarchy.finest().nonsmooth_nodes;
+  slider.set_step(1e-2, 0.);
+
+  // One after the other on the same hierarchy, so that traces of the last one
+  // would show.
+  for (const double probability : {0.5, 1., 0., 0.9, 0.2})
+    for (const double tau : {1e-2, 1e-4})
+      {
+        SCOPED_TRACE(testing::Message() << probability << ' ' << tau);
+        slider.set_step(tau, 0.);
+        const NodeMask active = truncation(hierarchy.finest(), probability);
+        BlockMatrix<2> A      = hierarchy.matrix();
+        std::vector<Tensor<2, 2>> H(nodes.size());
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          if (active.is_active(nodes[k], 0))
+            {
+              H[k][0][0] = 2.5 * (k % 5) * A.diagonal_block(nodes[k])[0][0];
+              A.set_diagonal_block(nodes[k], A.diagonal_block(nodes[k]) + H[k]);
+            }
+        hierarchy.linearise(H, active);
+
+        LevelHierarchy<2> anew(describe_levels(slider, active));
+        anew.set_terms({A});
+        anew.combine({1.});
+        truncate(anew, active);
+
+        const NodalVector b = random_vector(hierarchy.finest(), active);
+        NodalVector       x = b, y = b;
+        hierarchy.v_cycle(x, b);
+        anew.v_cycle(y, b);
+        const double size = y.linfty_norm();
+        x -= y;
+        EXPECT_LE(x.linfty_norm(), 1e-12 * size);
+
+        hierarchy.vmult_linearised(x, b);
+        anew.vmult_linearised(y, b);
+        x -= y;
+        EXPECT_LE(x.linfty_norm(), 1e-14 * y.linfty_norm());
+      }
+}
+
+
+
+TEST(Multigrid, StepSizeBackAndForthChangesNothing)
+{
+  LayeredSlider      slider(cells, {{14, 2}}, 3);
+  LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+  const Friction<2>  friction =
+    slider.friction(Kind::truncated,
+                    [](const double x, const unsigned) { return x; });
+  TNNMGParameters parameters;
+  const auto      solve = [&](const double tau) {
+    const NodalVector b = slider.set_step(tau, 0.6 * slider.normal_stress);
+    NodalVector       w = slider.start();
+    EXPECT_TRUE(TNNMGSolver<2>(hierarchy, parameters)
+                  .solve(*friction.functional, b, w)
+                  .converged);
+    return w;
+  };
+  const NodalVector first = solve(1e-2), other = solve(1e-3);
+  EXPECT_FALSE(is_equal(first, other));
+  EXPECT_TRUE(is_equal(solve(1e-2), first));
+  EXPECT_TRUE(is_equal(solve(1e-3), other));
+}
+
+
+
+TEST(TNNMG, IterationsDoNotGrowWithTheMesh)
+{
+  struct Moment
+  {
+    const char *name;
+    double      tau, traction;
+    double (*alpha)(double, unsigned int);
+  };
+  const Moment moments[] = {
+    {"stuck", 1e-1, 0.3, [](double, unsigned) { return 0.; }},
+    {"half and half",
+     1e-2,
+     0.65,
+     [](double x, unsigned) { return 3.5 + 10.5 * std::tanh(x / 0.5); }},
+    {"slipping", 1e-3, 0.75, [](double, unsigned) { return 0.; }}};
+
+  TNNMGParameters parameters;
+  for (const Kind kind : {Kind::truncated, Kind::arcsinh})
+    for (const Moment &moment : moments)
+      {
+        unsigned int least = 100, most = 0;
+        for (const unsigned int n : passes)
+          {
+            LayeredSlider     slider(cells, cells, n);
+            const NodalVector b =
+              slider.set_step(moment.tau,
+                              moment.traction * slider.normal_stress);
+            const Friction<2>  friction = slider.friction(kind, moment.alpha);
+            NodalVector        w        = slider.start();
+            const SolveSummary summary =
+              TNNMGSolver<2>(slider.problem.hierarchy(), parameters)
+                .solve(*friction.functional, b, w);
+            EXPECT_TRUE(summary.converged) << summary;
+            const unsigned int iterations = summary.iterations.size();
+            least                         = std::min(least, iterations);
+            most                          = std::max(most, iterations);
+          }
+        EXPECT_LE(most, 12u) << moment.name;
+        EXPECT_LE(most - least, 2u) << moment.name;
+      }
+}
