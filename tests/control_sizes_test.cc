@@ -5,6 +5,7 @@
 #include <stickslip/time/embedded_control.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "stepping_scene.h"
 
@@ -41,9 +42,13 @@ namespace
   double
   estimated_error(const double tau)
   {
+    std::ostringstream text;
+    text.precision(17);
+    text << tau;
+    const std::string         step_size = text.str();
     SteppingScene             scene(creeping_bodies,
-                        {"Time/Largest step=" + std::to_string(tau),
-                                     "Time/Initial step=" + std::to_string(tau),
+                        {"Time/Largest step=" + step_size,
+                                     "Time/Initial step=" + step_size,
                                      "Time/Tolerance=1e9",
                                      "Boundary conditions/upper top/x value=4e-3*t^4",
                                      "Boundary conditions/upper top/Ramp length=0",
@@ -193,9 +198,8 @@ TEST(StepDoubling, AcceptsWhatAgreesWithOneLargeStep)
 
 TEST(EmbeddedControl, ErrorEstimateScalesWithTheThirdPower)
 {
-  const double coarse = estimated_error(0.0625),
-               fine   = estimated_error(0.03125),
-               finest = estimated_error(0.015625);
+  const double coarse = estimated_error(0x1p-6), fine = estimated_error(0x1p-7),
+               finest = estimated_error(0x1p-8);
   RecordProperty("order", std::to_string(std::log2(fine / finest)));
   EXPECT_NEAR(std::log2(coarse / fine), 3., 0.25);
   EXPECT_NEAR(std::log2(fine / finest), 3., 0.15);
