@@ -1,52 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <gtest/gtest.h>
 #include <stickslip/version.h>
-#include <sys/wait.h>
 
+#include "run_program.h"
 #include "scene_text.h"
-#include "temporary_folder.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
-
-namespace
-{
-  struct Outcome
-  {
-    int         exit_status;
-    std::string output;
-    std::string errors;
-  };
-
-
-
-  // Run the program in a folder, with none of this process's environment, as
-  // that would make it part of the same MPI job.
-  Outcome
-  run_program(const TemporaryFolder &folder, const std::string &arguments)
-  {
-    const char       *binary_folder = std::getenv("STICKSLIP_BINARY_DIR");
-    const std::string program =
-      std::string(binary_folder == nullptr ? "." : binary_folder) +
-      "/stickslip";
-    EXPECT_TRUE(std::filesystem::exists(program)) << program;
-
-    const std::string command =
-      "cd '" + folder.path.string() +
-      "' && env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
-      "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '" +
-      std::filesystem::absolute(program).string() + "' " + arguments +
-      " > output.txt 2> errors.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            content_of(folder.file("output.txt")),
-            content_of(folder.file("errors.txt"))};
-  }
-} // namespace
-
-
 
 TEST(Program, SaysInOneLineWhatIsWrongAndLeavesNoFolder)
 {

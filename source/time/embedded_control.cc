@@ -135,12 +135,14 @@ namespace StickSlip
           }
 
         const double error = estimate_error(result.state, predicted_alpha);
-        double       factor =
+        last_error         = error;
+        double factor =
           0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
         factor = std::clamp(factor, 0.2, just_rejected ? 1. : 2.);
         if (!(error <= tolerance))
           {
-            this->proposed = this->on_grid(std::min(factor, 0.5) * tau);
+            // Not std::min(factor, 0.5): the factor may be no number.
+            this->proposed = this->on_grid((factor < 0.5 ? factor : 0.5) * tau);
             just_rejected  = true;
             this->reject(state.time,
                          this->proposed,
@@ -159,6 +161,15 @@ namespace StickSlip
         accepted.push_back(std::move(result));
         return accepted;
       }
+  }
+
+
+
+  template <int dim>
+  double
+  EmbeddedControl<dim>::estimated_error() const
+  {
+    return last_error;
   }
 
 

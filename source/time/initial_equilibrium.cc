@@ -121,7 +121,9 @@ namespace StickSlip
                         "The static equilibrium at the start was not found: "
                         "the boundary conditions must hold every body."));
         }
-    result.iterations = control.last_step();
+    // Without a load nothing was solved, and the control has no last step.
+    if (rhs.l2_norm() > 0.)
+      result.iterations = control.last_step();
 
     NodalVector reaction = problem.make_vector();
     hierarchy.matrix().residual(reaction, load, w);

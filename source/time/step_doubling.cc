@@ -38,7 +38,7 @@ namespace StickSlip
                 return accepted;
               }
             reason = "the states of one large and two small steps differ by "
-                     "more than Time/Step doubling threshold";
+                     "more than Time/Doubling threshold";
           }
         else
           reason = !large->converged ? large->failure :

@@ -33,6 +33,10 @@ namespace StickSlip
     std::vector<StepResult<dim>>
     advance(const SystemState<dim> &state) override;
 
+    /** The estimated error of the last step that could be solved. */
+    double
+    estimated_error() const;
+
   private:
     /** What is remembered of an accepted state. */
     struct Past
@@ -58,6 +62,7 @@ namespace StickSlip
     /** The newest first; three at most. */
     std::vector<Past> history;
     bool              just_rejected = false;
+    double            last_error    = 0;
   };
 } // namespace StickSlip
 

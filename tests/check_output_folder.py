@@ -1,0 +1,186 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Check that the output folder of a run is complete and agrees with itself.
+
+Usage: check_output_folder.py FOLDER FAULT...
+
+Prints one line for each contradiction and returns 1 if there are any.
+"""
+
+import csv
+import math
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+COLUMNS = ["step", "time", "step_size", "rate_state_iterations"]
+COLUMNS += ["tnnmg_iterations", "multigrid_cycles"]
+FAULT_COLUMNS = ["max_slip_rate", "mean_slip_rate", "min_slip_rate"]
+FAULT_COLUMNS += ["mean_slip", "mean_state", "mean_shear_traction"]
+EVENT_COLUMNS = ["fault", "start", "peak_time", "end", "peak_mean_slip_rate"]
+EVENT_COLUMNS += ["peak_slip_rate", "mean_slip", "nucleation_x"]
+FIELDS = ["slip", "slip_rate", "shear_traction", "normal_stress", "state"]
+PRECISION = 1e-12
+
+
+def is_near(a, b):
+    return math.isclose(a, b, rel_tol=PRECISION, abs_tol=1e-300)
+
+
+def summary_of(folder):
+    """The entries of summary.txt as {section: {key: value}}."""
+    sections, section = {}, {}
+    for line in (folder / "summary.txt").read_text().splitlines():
+        if line and not line.startswith(" "):
+            section = sections.setdefault(line, {})
+        elif line:
+            key, value = re.split(r"\s{2,}", line.strip(), maxsplit=1)
+            section[key] = value
+    return sections
+
+
+def check_time_series(folder, faults, summary):
+    """Yield the contradictions in the table; its last row is returned."""
+    with open(folder / "time_series.csv", newline="") as file:
+        header, *rows = list(csv.reader(file))
+    expected = COLUMNS + [f"{f}.{column}" for f in faults for column in FAULT_COLUMNS]
+    if header != expected:
+        yield f"time_series.csv has the columns {header}"
+        return
+    rows = [dict(zip(header, map(float, row), strict=True)) for row in rows]
+    if len(rows) != int(summary["Steps"]["accepted"]):
+        yield f"{len(rows)} rows, {summary['Steps']['accepted']} accepted steps"
+    time = 0.0
+    for number, row in enumerate(rows, start=1):
+        if row["step"] != number:
+            yield f"row {number} is that of step {row['step']}"
+        if not row["time"] > time:
+            yield f"time does not grow in step {number}"
+        # Times are sums, rounded to their own last digit.
+        if abs(row["time"] - time - row["step_size"]) > 4e-16 * row["time"]:
+            yield f"step {number} is not as long as its step size"
+        time = row["time"]
+        if not all(math.isfinite(value) for value in row.values()):
+            yield f"step {number} has a value that is not finite"
+    for fault in faults:
+        for row in rows:
+            rates = [row[f"{fault}.{x}_slip_rate"] for x in ("min", "mean", "max")]
+            if not 0 <= rates[0] <= rates[1] * (1 + 1e-9) <= rates[2] * (1 + 2e-9):
+                yield f"{fault}: slip rates {rates} are out of order"
+    if not is_near(float(f"{time:g}"), float(summary["Run"]["simulated time"].split()[0])):
+        yield f"the table ends at {time}, not at {summary['Run']['simulated time']}"
+
+
+def last_row(folder):
+    with open(folder / "time_series.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {key: float(value) for key, value in rows[-1].items()} if rows else None
+
+
+def check_faults(folder, faults):
+    """Yield what is wrong in faults.h5, and where its end is not the table's."""
+    row = last_row(folder)
+    with h5py.File(folder / "faults.h5", "r") as file:
+        if sorted(file.keys()) != sorted(faults):
+            yield f"faults.h5 has the faults {list(file.keys())}"
+            return
+        for name in faults:
+            group = file[name]
+            times = group["time"][:]
+            if times[0] != 0 or not all(numpy.diff(times) > 0):
+                yield f"{name}: times do not grow from 0"
+            n_nodes = len(group["coordinates"])
+            for field in FIELDS:
+                if group[field].shape != (len(times), n_nodes):
+                    yield f"{name}/{field} has the shape {group[field].shape}"
+                if "units" not in group[field].attrs:
+                    yield f"{name}/{field} has no units"
+                if not numpy.isfinite(group[field][:]).all():
+                    yield f"{name}/{field} is not finite"
+            if row is None:
+                continue
+            weight = group["weight"][:]
+            mean = {
+                "mean_slip": group["slip"][-1],
+                "mean_slip_rate": abs(group["slip_rate"][-1]),
+                "mean_state": group["state"][-1],
+                "mean_shear_traction": group["shear_traction"][-1],
+            }
+            if times[-1] != row["time"]:
+                yield f"{name}: the last record is of t = {times[-1]}"
+            for column, values in mean.items():
+                value = weight @ values / weight.sum()
+                size = weight @ abs(values) / weight.sum()
+                if abs(value - row[f"{name}.{column}"]) > PRECISION * size:
+                    yield f"{name}.{column}: last record {value}, table {row}"
+            if abs(group["slip_rate"][-1]).max() != row[f"{name}.max_slip_rate"]:
+                yield f"{name}: the last records have different largest slip rates"
+
+
+def check_volume(folder):
+    """Yield what is wrong with solution.pvd and its files."""
+    row = last_row(folder)
+    entries = list(xml.etree.ElementTree.parse(folder / "solution.pvd").iter("DataSet"))
+    if not entries:
+        yield "solution.pvd lists nothing"
+        return
+    times = [float(entry.attrib["timestep"]) for entry in entries]
+    if times != sorted(times):
+        yield "the times in solution.pvd do not grow"
+    if row is not None and not math.isclose(times[-1], row["time"], rel_tol=1e-9):
+        yield f"solution.pvd ends at {times[-1]}, the table at {row['time']}"
+    listed = {entry.attrib["file"] for entry in entries}
+    present = {path.name for path in folder.glob("*.vtu")}
+    if listed != present:
+        yield f"solution.pvd lists {sorted(listed)}, there are {sorted(present)}"
+    for name in sorted(listed & present):
+        root = xml.etree.ElementTree.parse(folder / name).getroot()
+        if root.tag != "VTKFile" or root.find(".//Points") is None:
+            yield f"{name} is no VTU file with points"
+
+
+def check_events(folder, faults, summary):
+    with open(folder / "events.csv", newline="") as file:
+        header, *rows = list(csv.reader(file))
+    if header != EVENT_COLUMNS:
+        yield f"events.csv has the columns {header}"
+    for fault in faults:
+        n_events = sum(row[0] == fault for row in rows)
+        if str(n_events) != summary["Events"][fault]:
+            yield f"{fault}: {n_events} events, {summary['Events'][fault]} in summary.txt"
+    for row in rows:
+        _, start, peak, end = row[0], *map(float, row[1:4])
+        if not start <= peak or end < peak:
+            yield f"the event {row} is out of order"
+
+
+def check(folder, faults):
+    """Yield a sentence for each contradiction."""
+    for name in ("parameters.prm", "summary.txt", "time_series.csv", "events.csv"):
+        if not (folder / name).is_file():
+            yield f"{name} is missing"
+            return
+    summary = summary_of(folder)
+    yield from check_time_series(folder, faults, summary)
+    yield from check_faults(folder, faults)
+    yield from check_volume(folder)
+    yield from check_events(folder, faults, summary)
+    leftovers = [path.name for path in folder.iterdir() if path.suffix == ".tmp"]
+    if leftovers:
+        yield f"left over: {leftovers}"
+
+
+def main():
+    problems = list(check(pathlib.Path(sys.argv[1]), sys.argv[2:]))
+    for problem in problems:
+        print(problem)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

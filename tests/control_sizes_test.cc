@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/time/embedded_control.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "stepping_scene.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  bool
+  is_on_grid(const double step_size, const double largest_step)
+  {
+    const double halvings = std::log2(largest_step / step_size);
+    return halvings >= 0. && halvings == std::round(halvings) &&
+           step_size == largest_step * std::exp2(-halvings);
+  }
+
+
+
+  // Run a scene to its end; all accepted steps.
+  std::vector<StepResult<2>>
+  run(SteppingScene &scene)
+  {
+    std::vector<StepResult<2>> steps;
+    while (!scene.controller->is_finished(scene.state.time))
+      for (StepResult<2> &step : scene.advance())
+        steps.push_back(std::move(step));
+    return steps;
+  }
+
+
+
+  // The estimated error of a step of size tau that ends at t = 1, after
+  // steps of the same size. The loading begins smoothly, without waves.
+  double
+  estimated_error(const double tau)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << tau;
+    const std::string         step_size = text.str();
+    SteppingScene             scene(creeping_bodies,
+                        {"Time/Largest step=" + step_size,
+                                     "Time/Initial step=" + step_size,
+                                     "Time/Tolerance=1e9",
+                                     "Boundary conditions/upper top/x value=4e-3*t^4",
+                                     "Boundary conditions/upper top/Ramp length=0",
+                                     "Time/Rate-state tolerance=1e-12",
+                                     "TNNMG/Tolerance=1e-12"});
+    const EmbeddedControl<2> &control =
+      dynamic_cast<const EmbeddedControl<2> &>(*scene.controller);
+    while (scene.state.time < 1.)
+      EXPECT_EQ(scene.advance().front().step_size, tau);
+    EXPECT_EQ(scene.state.time, 1.);
+    return control.estimated_error();
+  }
+
+
+
+  // What Simulation does where the slip has become large, but with the
+  // reference positions again.
+  void
+  rebuild_contact(SteppingScene &scene)
+  {
+    scene.problem.build_contact(scene.problem.make_vector());
+    scene.faults = FaultNodes<2>(scene.problem.jump_basis(),
+                                 make_fault_laws(scene.scene),
+                                 scene.faults.normal_stress());
+    scene.step->reinit();
+  }
+} // namespace
+
+
+
+TEST(StepSizes, AreOnTheGridAndEndAtTheEnd)
+{
+  // Neither the end nor the ramp fit to the grid.
+  for (const std::string control : {"embedded", "step doubling", "constant"})
+    {
+      SCOPED_TRACE(control);
+      const double                     largest = 0.1;
+      SteppingScene                    scene(creeping_bodies,
+                          {"Time/Step size control=" + control,
+                                              "Time/Largest step=0.1",
+                                              "Time/Initial step=0.003",
+                                              "Time/Doubling threshold=1e-4",
+                                              "Time/End time=1.2345",
+                                              "Boundary conditions/upper top/Ramp length=0.77"});
+      double                           time = 0, smallest = 1e9;
+      const std::vector<StepResult<2>> steps = run(scene);
+      // Step doubling takes two steps to the end.
+      const unsigned int n_last = control == "step doubling" ? 2 : 1;
+      for (unsigned int i = 0; i < steps.size(); ++i)
+        {
+          const double tau = steps[i].step_size;
+          if (i + n_last < steps.size())
+            {
+              EXPECT_TRUE(is_on_grid(tau, largest)) << tau;
+            }
+          if (control != "constant" && time < 0.77)
+            {
+              EXPECT_LE(tau, 0.77 / 40.);
+            }
+          EXPECT_DOUBLE_EQ(steps[i].state.time, time + tau);
+          time     = steps[i].state.time;
+          smallest = std::min(smallest, tau);
+        }
+      EXPECT_DOUBLE_EQ(time, 1.2345);
+      EXPECT_LT(smallest, largest);
+      if (control == "embedded")
+        {
+          // The ramp stops holding the steps back once it has ended.
+          double after_ramp = 0;
+          for (const StepResult<2> &step : steps)
+            after_ramp = std::max(after_ramp, step.step_size);
+          EXPECT_GT(after_ramp, 0.77 / 40.);
+        }
+    }
+}
+
+
+
+TEST(StepSizes, ConstantStepsThatDivideTheRunAreAllEqual)
+{
+  SteppingScene scene(creeping_bodies,
+                      {"Time/Step size control=constant",
+                       "Time/Largest step=0.1",
+                       "Time/End time=2"});
+  const auto    steps = run(scene);
+  EXPECT_EQ(steps.size(), 20u);
+  for (const StepResult<2> &step : steps)
+    EXPECT_NEAR(step.step_size, 0.1, 1e-13);
+  EXPECT_DOUBLE_EQ(scene.state.time, 2.);
+  EXPECT_EQ(scene.step->n_steps(), 20u);
+}
+
+
+
+TEST(StepDoubling, TakesThreeSolvesAndReusesTheFirstAfterARejection)
+{
+  SteppingScene scene(creeping_bodies,
+                      {"Time/Step size control=step doubling",
+                       "Time/Largest step=0.0625",
+                       "Time/Initial step=0.015625",
+                       "Time/Doubling threshold=1e-7"});
+  unsigned int  n_with_rejection = 0, n_without = 0;
+  while (scene.state.time < 1.)
+    {
+      const double        start    = scene.state.time;
+      const unsigned long solved   = scene.step->n_steps();
+      const unsigned int  rejected = scene.controller->n_rejected();
+      const auto          pair     = scene.advance();
+      const unsigned int  n        = scene.controller->n_rejected() - rejected;
+      ASSERT_EQ(pair.size(), 2u);
+      EXPECT_EQ(pair[0].step_size, pair[1].step_size);
+      EXPECT_EQ(pair[0].state.time, start + pair[0].step_size);
+      EXPECT_EQ(pair[1].state.time, pair[0].state.time + pair[1].step_size);
+      EXPECT_EQ(scene.step->n_steps() - solved, 3u + 2u * n);
+      ++(n > 0 ? n_with_rejection : n_without);
+    }
+  EXPECT_GT(n_with_rejection, 2u);
+  EXPECT_GT(n_without, 2u);
+}
+
+
+
+TEST(StepDoubling, AcceptsWhatAgreesWithOneLargeStep)
+{
+  const double  threshold = 1e-5;
+  SteppingScene scene(creeping_bodies,
+                      {"Time/Step size control=step doubling",
+                       "Time/Largest step=0.0625",
+                       "Time/Initial step=0.015625"});
+  SteppingScene other(creeping_bodies);
+  double        last = 0;
+  while (scene.state.time < 0.5)
+    {
+      const SystemState<2> before = scene.state;
+      const auto           pair   = scene.advance();
+      last                        = pair[0].step_size;
+      const StepResult<2> large   = other.step->take(before, 2. * last);
+      ASSERT_TRUE(large.converged);
+      std::vector<double> difference = large.state.alpha;
+      for (unsigned int k = 0; k < difference.size(); ++k)
+        difference[k] -= pair[1].state.alpha[k];
+      EXPECT_LE(scene.faults.l2_norm(difference), 1.001 * threshold);
+    }
+}
+
+
+
+TEST(EmbeddedControl, ErrorEstimateScalesWithTheThirdPower)
+{
+  const double coarse = estimated_error(0x1p-6), fine = estimated_error(0x1p-7),
+               finest = estimated_error(0x1p-8);
+  RecordProperty("order", std::to_string(std::log2(fine / finest)));
+  EXPECT_NEAR(std::log2(coarse / fine), 3., 0.25);
+  EXPECT_NEAR(std::log2(fine / finest), 3., 0.15);
+}
+
+
+
+TEST(EmbeddedControl, HistorySurvivesARebuiltContactMapping)
+{
+  SteppingScene kept(creeping_bodies), rebuilt(creeping_bodies);
+  kept.advance_until(1.2);
+  rebuilt.advance_until(1.2);
+  ASSERT_TRUE(same_bits(kept.state, rebuilt.state));
+
+  // The same mapping once more: nothing may change in the following steps,
+  // neither their size nor their prediction.
+  rebuild_contact(rebuilt);
+  const auto estimate = [](const SteppingScene &scene) {
+    return dynamic_cast<const EmbeddedControl<2> &>(*scene.controller)
+      .estimated_error();
+  };
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const auto counts         = kept.advance().front().counts;
+      const auto counts_rebuilt = rebuilt.advance().front().counts;
+      EXPECT_EQ(counts_rebuilt.multigrid_cycles, counts.multigrid_cycles);
+      EXPECT_GT(estimate(kept), 0.);
+      EXPECT_EQ(estimate(rebuilt), estimate(kept));
+      EXPECT_TRUE(same_bits(rebuilt.state, kept.state));
+    }
+  EXPECT_EQ(rebuilt.problem.n_builds(), 2u);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <algorithm>
+#include <vector>
+
+#include "creeping_scene.h"
+#include "run_program.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  struct BadInput
+  {
+    std::string              arguments;
+    std::vector<std::string> parts;
+  };
+
+
+
+  // What is wrong in the scene, and what the one line must say about it: the
+  // entry, its value and what is allowed.
+  const std::vector<BadInput> bad_inputs = {
+    {"--set 'Boundary conditions/Sides=lower bottom, upper front'",
+     {"Boundary conditions/Sides", "upper front", "left, right, bottom, top"}},
+    {"--set 'Bodies/upper/Material/Poisson ratio=0.5'",
+     {"Bodies/upper/Material/Poisson ratio", "'0.5'", "< 0.5"}},
+    {"--set 'Faults/fault/a=-1'", {"Faults/fault/a", "'-1'", "> 0"}},
+    {"--set 'Time/Ende=1'", {"Time/Ende", "'1'", "no such entry", "End time"}},
+    {"--set 'Time/Step size control=magic'",
+     {"Time/Step size control", "'magic'", "embedded, step doubling"}},
+    {"--set 'Bodies/upper/Lower lateral corner=5' "
+     "--set 'Bodies/upper/Upper lateral corner=7'",
+     {"Bodies/upper", "'5, 7'", "overlap", "'-1, 1'"}},
+    {"--set 'Boundary conditions/upper top/x value=2*/3'",
+     {"Boundary conditions/upper top/x value", "'2*/3'", "x,y,t"}},
+    {"--set 'nonsense'", {"'nonsense'", "Section/Subsection/Entry=value"}},
+    {"--set", {"--set", "Section/Subsection/Entry=value"}},
+    {"--set 'Bodies/upper/Thickness=-1'",
+     {"Bodies/upper/Thickness", "'-1'", "> 0"}},
+    {"--set 'Bodies/upper/Coarse cells=0, 1'",
+     {"Bodies/upper/Coarse cells", "'0, 1'", ">= 1"}},
+    {"--set 'Time/End time=0'", {"Time/End time", "'0'", "> 0"}},
+    {"--set 'Time/End time=nan'", {"Time/End time", "'nan'", "> 0"}},
+    {"--set 'Faults/fault/Initial state=x'",
+     {"Faults/fault/Initial state", "'x'", "greater than 0"}},
+    {"--set 'Output/Output directory=file/output'",
+     {"Output/Output directory", "'file/output'", "cannot be created"}},
+    {"--set 'Output/Output directory=file'",
+     {"Output/Output directory", "'file'", "cannot be created"}},
+    {"other.prm", {"'other.prm'", "one is allowed"}},
+    {"--fast", {"'--fast'", "--set"}}};
+
+
+
+  std::vector<std::string>
+  names_in(const TemporaryFolder &folder)
+  {
+    std::vector<std::string> names;
+    for (const auto &item :
+         std::filesystem::recursive_directory_iterator(folder.path))
+      names.push_back(item.path().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+
+
+  void
+  expect_one_line_and_no_trace(const std::string              &arguments,
+                               const std::vector<std::string> &parts)
+  {
+    SCOPED_TRACE(arguments);
+    const TemporaryFolder folder;
+    folder.write("scene.prm", creeping_bodies);
+    folder.write("empty.prm", "");
+    folder.write("file", "");
+    folder.write("output.txt", "");
+    folder.write("errors.txt", "");
+    const auto    before  = names_in(folder);
+    const Outcome outcome = run_program(folder, arguments);
+
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(names_in(folder), before);
+    const std::string &line = outcome.errors;
+    EXPECT_EQ(line.rfind("stickslip: ", 0), 0u) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1) << line;
+    ASSERT_GE(line.size(), 2u);
+    EXPECT_EQ(line.substr(line.size() - 2), ".\n") << line;
+    for (const std::string &part : parts)
+      EXPECT_NE(line.find(part), std::string::npos)
+        << "'" << part << "' is missing in: " << line;
+  }
+} // namespace
+
+
+
+TEST(ProgramInput, MistakesInAScene)
+{
+  for (const BadInput &input : bad_inputs)
+    expect_one_line_and_no_trace("scene.prm " + input.arguments, input.parts);
+}
+
+
+
+TEST(ProgramInput, MistakesInFiles)
+{
+  expect_one_line_and_no_trace("none.prm", {"'none.prm'", "does not exist"});
+  expect_one_line_and_no_trace("empty.prm",
+                               {"Bodies/Names", "''", "at least one"});
+  expect_one_line_and_no_trace(".", {"'.'", "not a file"});
+  expect_one_line_and_no_trace("", {"FILE.prm"});
+}

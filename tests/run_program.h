@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tests_run_program_h
+#define stickslip_tests_run_program_h
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "temporary_folder.h"
+
+namespace StickSlip::Tests
+{
+  struct Outcome
+  {
+    int         exit_status;
+    std::string output;
+    std::string errors;
+  };
+
+
+
+  /** The absolute path of a file below a folder that the environment names. */
+  inline std::string
+  path_below(const char        *variable,
+             const char        *otherwise,
+             const std::string &file)
+  {
+    const char *folder = std::getenv(variable);
+    return std::filesystem::absolute(
+             std::filesystem::path(folder == nullptr ? otherwise : folder) /
+             file)
+      .string();
+  }
+
+
+
+  /** The program with none of this process's environment, which would make it
+   * part of the same MPI job. To be used in a shell. */
+  inline std::string
+  program()
+  {
+    const std::string path =
+      path_below("STICKSLIP_BINARY_DIR", ".", "stickslip");
+    EXPECT_TRUE(std::filesystem::exists(path)) << path;
+    return "env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
+           "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '" +
+           path + "'";
+  }
+
+
+
+  /** Run a shell command in a folder. */
+  inline Outcome
+  run_command(const TemporaryFolder &folder, const std::string &command)
+  {
+    const std::string whole = "cd '" + folder.path.string() + "' && { " +
+                              command + "\n} > output.txt 2> errors.txt";
+    const int status = std::system(whole.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            content_of(folder.file("output.txt")),
+            content_of(folder.file("errors.txt"))};
+  }
+
+
+
+  /** Run the program in a folder. */
+  inline Outcome
+  run_program(const TemporaryFolder &folder, const std::string &arguments)
+  {
+    return run_command(folder, program() + " " + arguments);
+  }
+
+
+
+  /** What is wrong with the files of a run with the one fault "fault"; empty:
+   * nothing. */
+  inline std::string
+  problems_of_output(const TemporaryFolder &folder, const std::string &output)
+  {
+    const Outcome outcome =
+      run_command(folder,
+                  "/usr/bin/python3 '" +
+                    path_below("STICKSLIP_SOURCE_DIR",
+                               "..",
+                               "tests/check_output_folder.py") +
+                    "' '" + output + "' fault");
+    EXPECT_EQ(outcome.errors, "");
+    return outcome.output;
+  }
+} // namespace StickSlip::Tests
+
+#endif

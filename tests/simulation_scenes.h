@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tests_simulation_scenes_h
+#define stickslip_tests_simulation_scenes_h
+
+#include <stickslip/output/event_catalogue.h>
+#include <stickslip/simulation/fault_snapshots.h>
+#include <stickslip/simulation/loading_rate.h>
+#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/simulation/simulation.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "temporary_folder.h"
+
+namespace StickSlip::Tests
+{
+  /** A scene of the project's folder parameters/. */
+  inline SceneParameters<2>
+  published_scene(const std::string              &name,
+                  const std::vector<std::string> &overrides = {})
+  {
+    const char *folder = std::getenv("STICKSLIP_SOURCE_DIR");
+    return SceneReader(std::string(folder == nullptr ? ".." : folder) +
+                         "/parameters/" + name + ".prm",
+                       overrides)
+      .read<2>();
+  }
+
+
+
+  /** The faults of a simulation as they are now. */
+  inline std::vector<FaultSnapshot<2>>
+  snapshots(Simulation<2>                  &simulation,
+            const std::vector<std::string> &names = {"fault"})
+  {
+    return make_fault_snapshots(simulation.state(),
+                                simulation.fault_nodes(),
+                                simulation.spatial_problem().jump_basis(),
+                                names);
+  }
+
+
+
+  /**
+   * What is kept of a whole run of a scene with the one fault "fault". Only for
+   * controls that take one step at a time.
+   */
+  struct RunHistory
+  {
+    struct Step
+    {
+      double          time, step_size;
+      FaultStatistics fault;
+    };
+
+    std::vector<Step>      steps;
+    std::vector<SlipEvent> events;
+
+    /** The fault when the mean slip rate was largest. */
+    FaultSnapshot<2> fastest;
+
+    explicit RunHistory(const SceneParameters<2> &scene)
+    {
+      const TemporaryFolder folder;
+      EventCatalogue<2>     catalogue(folder.file("events.csv"),
+                                  {"fault"},
+                                  event_start_slip_rate(scene),
+                                  scene.output.event_end_fraction);
+      Simulation<2>         simulation(scene, MPI_COMM_WORLD);
+      simulation.set_up();
+      catalogue.add(0., snapshots(simulation));
+      double largest = 0, time = 0;
+      while (!simulation.is_finished())
+        {
+          simulation.advance();
+          const auto faults = snapshots(simulation);
+          catalogue.add(simulation.state().time, faults);
+          steps.push_back({simulation.state().time,
+                           simulation.state().time - time,
+                           fault_statistics(faults.front())});
+          time = simulation.state().time;
+          if (steps.back().fault.mean_slip_rate > largest)
+            {
+              largest = steps.back().fault.mean_slip_rate;
+              fastest = faults.front();
+            }
+        }
+      catalogue.finish();
+      events = catalogue.events();
+    }
+  };
+} // namespace StickSlip::Tests
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+
+#include "simulation_scenes.h"
+#include "stepping_scene.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  // Three creeping bodies whose meshes match nowhere.
+  std::string
+  three_bodies()
+  {
+    std::string                                   text   = R"(
+subsection Bodies
+  set Names          = lower, middle, upper
+  set Base elevation = -1
+)";
+    const std::vector<std::array<std::string, 3>> bodies = {
+      {{"lower", "0.5", "4, 1"}},
+      {{"middle", "0.2", "7, 1"}},
+      {{"upper", "0.5", "5, 1"}}};
+    for (const auto &body : bodies)
+      text += "subsection " + body[0] +
+              "\n set Lower lateral corner = -1\n set Upper lateral corner = 1"
+              "\n set Thickness = " +
+              body[1] + "\n set Coarse cells = " + body[2] +
+              "\n set Refinement passes = 2\n subsection Material\n"
+              "  set Shear viscosity = 2e5\n  set Bulk viscosity = 2e5\n"
+              " end\nend\n";
+    text += "end\nsubsection Faults\n set Names = first, second\n";
+    for (const std::string fault : {"first", "second"})
+      text += "subsection " + fault +
+              "\n set a = 0.02\n set b = 0.01\n"
+              " set Reference friction coefficient = 0\n"
+              " set Reference slip rate = 1e-3\n"
+              " set Characteristic slip = 1e-3\n"
+              " set Regularisation = arcsinh\n"
+              " set Initial state = 1\n"
+              " set Normal stress = lithostatic\nend\n";
+    text += R"(
+end
+subsection Boundary conditions
+  set Sides = lower bottom, upper top
+  subsection lower bottom
+    set x condition = fixed
+    set y condition = fixed
+  end
+  subsection upper top
+    set x condition = velocity
+    set x value     = 1e-3
+    set Ramp length = 1
+  end
+end
+subsection Time
+  set End time             = 1.5
+  set Rate-state tolerance = 1e-10
+end
+subsection TNNMG
+  set Tolerance = 1e-11
+end
+)";
+    return text;
+  }
+
+
+
+  std::vector<FaultSnapshot<2>>
+  faults_at_end(const std::string              &text,
+                const std::vector<std::string> &overrides,
+                const std::vector<std::string> &names)
+  {
+    Simulation<2> simulation(read_scene(text, overrides), MPI_COMM_WORLD);
+    simulation.set_up();
+    while (!simulation.is_finished())
+      simulation.advance();
+    return snapshots(simulation, names);
+  }
+} // namespace
+
+
+
+TEST(Symmetry, MirroredLoadingGivesTheMirroredResult)
+{
+  const std::vector<std::string> names = {"first", "second"};
+  const auto right = faults_at_end(three_bodies(), {}, names);
+  const auto left =
+    faults_at_end(three_bodies(),
+                  {"Boundary conditions/upper top/x value=-1e-3"},
+                  names);
+  for (unsigned int f = 0; f < 2; ++f)
+    {
+      SCOPED_TRACE(names[f]);
+      const unsigned int n = right[f].points.size();
+      ASSERT_EQ(left[f].points.size(), n);
+      EXPECT_GT(right[f].slip[n / 2][0], 1e-5);
+      // Not rounding alone: the iterations stop at their tolerance.
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const unsigned int m = n - 1 - k;
+          EXPECT_NEAR(left[f].points[m][0], -right[f].points[k][0], 1e-12);
+          EXPECT_NEAR(left[f].weights[m], right[f].weights[k], 1e-12);
+          EXPECT_NEAR(left[f].slip[m][0], -right[f].slip[k][0], 1e-9);
+          EXPECT_NEAR(left[f].slip_rate[m][0], -right[f].slip_rate[k][0], 1e-8);
+          EXPECT_NEAR(left[f].state[m], right[f].state[k], 1e-6);
+          EXPECT_NEAR(left[f].shear_traction[m][0],
+                      -right[f].shear_traction[k][0],
+                      1e-6 * right[f].normal_stress[k]);
+        }
+    }
+}
+
+
+
+TEST(Symmetry, BothFaultsOfThreeBodiesShareTheLoading)
+{
+  const auto faults = faults_at_end(three_bodies(), {}, {"first", "second"});
+  double     slip   = 0;
+  for (const FaultSnapshot<2> &fault : faults)
+    {
+      const FaultStatistics statistics = fault_statistics(fault);
+      EXPECT_GT(statistics.mean_slip, 0.);
+      EXPECT_GT(statistics.mean_shear_traction, 0.);
+      slip += statistics.mean_slip;
+    }
+  // What the bodies' own shear leaves of the motion of the top side.
+  EXPECT_LT(slip, 1e-3);
+  EXPECT_GT(slip, 0.8e-3);
+}
+
+
+
+TEST(Symmetry, TheChoiceOfTheSlaveChangesOnlyTheDiscretisationError)
+{
+  double mean_slip[2], traction[2], state[2];
+  for (const unsigned int finer : {0, 1})
+    {
+      const std::string body  = finer == 0 ? "lower" : "upper";
+      const auto        scene = read_scene(creeping_bodies,
+                                    {"Bodies/" + body + "/Coarse cells=6, 2",
+                                            "Faults/fault/Initial state=1"});
+      Simulation<2>     simulation(scene, MPI_COMM_WORLD);
+      EXPECT_EQ(simulation.spatial_problem()
+                  .jump_basis()
+                  .faults()
+                  .front()
+                  .sides.slave_is_upper(),
+                finer == 1);
+      simulation.set_up();
+      while (!simulation.is_finished())
+        simulation.advance();
+      const FaultStatistics statistics =
+        fault_statistics(snapshots(simulation).front());
+      mean_slip[finer] = statistics.mean_slip;
+      traction[finer]  = statistics.mean_shear_traction;
+      state[finer]     = statistics.mean_state;
+    }
+  EXPECT_GT(mean_slip[0], 1e-3);
+  EXPECT_NEAR(mean_slip[0], mean_slip[1], 1e-3 * mean_slip[0]);
+  EXPECT_NEAR(traction[0], traction[1], 1e-3 * traction[0]);
+  EXPECT_NEAR(state[0], state[1], 1e-3 * state[0]);
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tests_stepping_scene_h
+#define stickslip_tests_stepping_scene_h
+
+#include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/time/step_size_control.h>
+
+#include <cstring>
+
+#include "creeping_scene.h"
+#include "temporary_folder.h"
+
+namespace StickSlip::Tests
+{
+  inline SceneParameters<2>
+  read_scene(const std::string              &text,
+             const std::vector<std::string> &overrides = {})
+  {
+    const TemporaryFolder folder;
+    return SceneReader(folder.write("scene.prm", text), overrides).read<2>();
+  }
+
+
+
+  /**
+   * A scene set up for time stepping without any output. Its time parameters
+   * may be changed at any moment.
+   */
+  struct SteppingScene
+  {
+    explicit SteppingScene(const SceneParameters<2> &parameters)
+      : scene(parameters)
+      , meshes({scene.bodies[0].geometry, scene.bodies[1].geometry},
+               MPI_COMM_WORLD)
+      , boundary_values(meshes,
+                        scene.boundary_conditions,
+                        {scene.bodies[0].name, scene.bodies[1].name})
+      , problem(meshes,
+                {scene.bodies[0].material, scene.bodies[1].material},
+                boundary_values,
+                scene.gravity)
+    {
+      const InitialEquilibrium<2> equilibrium =
+        solve_initial_equilibrium(problem);
+      unsigned int n_in_tension = 0;
+      faults                    = FaultNodes<2>(problem.jump_basis(),
+                             make_fault_laws(scene),
+                             make_normal_stress(scene,
+                                                problem.jump_basis(),
+                                                equilibrium,
+                                                n_in_tension));
+      state      = make_initial_state(scene, problem.jump_basis(), equilibrium);
+      step       = std::make_unique<RateStateStep<2>>(problem,
+                                                faults,
+                                                scene.time,
+                                                scene.tnnmg);
+      controller = make_step_size_controller(*step,
+                                             faults,
+                                             scene.time,
+                                             boundary_values.longest_ramp());
+    }
+
+    SteppingScene(const std::string              &text,
+                  const std::vector<std::string> &overrides = {})
+      : SteppingScene(read_scene(text, overrides))
+    {}
+
+    /** One advance; returns the steps without their states but the last. */
+    std::vector<StepResult<2>>
+    advance()
+    {
+      std::vector<StepResult<2>> accepted = controller->advance(state);
+      state                               = accepted.back().state;
+      return accepted;
+    }
+
+    /** Advance as long as the time is before @p time. */
+    void
+    advance_until(const double time)
+    {
+      while (state.time < time)
+        advance();
+    }
+
+    SceneParameters<2>                     scene;
+    MeshHierarchy<2>                       meshes;
+    BoundaryValues<2>                      boundary_values;
+    SpatialProblem<2>                      problem;
+    FaultNodes<2>                          faults;
+    SystemState<2>                         state;
+    std::unique_ptr<RateStateStep<2>>      step;
+    std::unique_ptr<StepSizeController<2>> controller;
+  };
+
+
+
+  inline bool
+  same_bits(const NodalVector &a, const NodalVector &b)
+  {
+    return a.locally_owned_size() == b.locally_owned_size() &&
+           std::memcmp(a.begin(),
+                       b.begin(),
+                       a.locally_owned_size() * sizeof(double)) == 0;
+  }
+
+
+
+  template <typename T>
+  bool
+  same_bits(const std::vector<T> &a, const std::vector<T> &b)
+  {
+    return a.size() == b.size() &&
+           std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+  }
+
+
+
+  /** Whether two states agree in every bit. */
+  inline bool
+  same_bits(const SystemState<2> &a, const SystemState<2> &b)
+  {
+    return std::memcmp(&a.time, &b.time, sizeof(double)) == 0 &&
+           same_bits(a.displacement, b.displacement) &&
+           same_bits(a.velocity, b.velocity) &&
+           same_bits(a.acceleration, b.acceleration) &&
+           same_bits(a.alpha, b.alpha) && same_bits(a.slip, b.slip) &&
+           same_bits(a.slip_rate, b.slip_rate);
+  }
+} // namespace StickSlip::Tests
+
+#endif
