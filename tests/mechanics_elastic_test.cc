@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <gtest/gtest.h>
+#include <stickslip/mechanics/elastic_assembly.h>
+
+#include "stacked_bodies.h"
+
+using namespace StickSlip;
+
+namespace
+{
+  template <int dim>
+  struct Scene
+  {
+    std::vector<BodyGeometry<dim>> bodies;
+    MeshHierarchy<dim>             meshes;
+    std::vector<Material>          materials;
+    ElasticMatrices<dim>           matrices;
+
+    explicit Scene(const std::vector<BodyGeometry<dim>> &bodies)
+      : bodies(bodies)
+      , meshes(bodies, MPI_COMM_WORLD)
+      , materials(bodies.size())
+    {
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          materials[b].youngs_modulus  = (1. + b) * 4.12e7;
+          materials[b].poissons_ratio  = 0.3 - 0.1 * b;
+          materials[b].density         = 5e3 - 700. * b;
+          materials[b].shear_viscosity = 1e3 * (2. + b);
+          materials[b].bulk_viscosity  = 1e3 * (5. - b);
+        }
+      matrices = assemble_elastic_matrices(meshes.finest(), materials);
+    }
+
+    double
+    volume(const unsigned int b) const
+    {
+      double result = 1.;
+      for (unsigned int c = 0; c < dim; ++c)
+        result *= bodies[b].upper_corner()[c] - bodies[b].lower_corner()[c];
+      return result;
+    }
+
+    /** A motion x -> shift + G x of one body, the others at rest. */
+    NodalVector
+    affine(const unsigned int    body,
+           const Tensor<1, dim> &shift,
+           const Tensor<2, dim> &G) const
+    {
+      return interpolate(meshes.finest(),
+                         [&](const unsigned int b, const Point<dim> &x) {
+                           return b == body ? shift + G * x : Tensor<1, dim>();
+                         });
+    }
+  };
+
+
+
+  template <int dim>
+  Scene<dim>
+  make_scene();
+
+  template <>
+  Scene<2>
+  make_scene<2>()
+  {
+    return Scene<2>(nonmatching_bodies());
+  }
+
+  template <>
+  Scene<3>
+  make_scene<3>()
+  {
+    return Scene<3>(nonmatching_blocks());
+  }
+
+
+
+  template <int dim>
+  double
+  product(const NodalVector &u, const BlockMatrix<dim> &A, const NodalVector &v)
+  {
+    NodalVector Av = v;
+    A.vmult(Av, v);
+    return u * Av;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_entry(const BlockMatrix<dim> &A)
+  {
+    double result = 0.;
+    for (const double value : A.values())
+      result = std::max(result, std::abs(value));
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  expect_symmetric(const BlockMatrix<dim> &A)
+  {
+    const BlockSparsity &sparsity = A.sparsity();
+    double               defect   = 0.;
+    for (unsigned int i = 0; i < A.n_rows(); ++i)
+      for (unsigned int k = sparsity.row_start[i];
+           k < sparsity.row_start[i + 1];
+           ++k)
+        {
+          const double *block = A.block(k);
+          const double *transposed =
+            A.block(sparsity.position(sparsity.column[k], i));
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              defect = std::max(defect,
+                                std::abs(block[c * dim + d] -
+                                         transposed[d * dim + c]));
+        }
+    EXPECT_GT(largest_entry(A), 0.);
+    EXPECT_LT(defect, 1e-14 * largest_entry(A));
+  }
+
+
+
+  template <int dim>
+  void
+  expect_right_mass()
+  {
+    const Scene<dim> scene = make_scene<dim>();
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const double mass = scene.materials[b].density * scene.volume(b);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              Tensor<1, dim> ec, ed;
+              ec[c]          = 1.;
+              ed[d]          = 1.;
+              const double m = product(scene.affine(b, ec, {}),
+                                       scene.matrices.mass,
+                                       scene.affine(b, ed, {}));
+              EXPECT_NEAR(m, c == d ? mass : 0., 1e-12 * mass);
+            }
+
+        // The moment of inertia of a brick about each axis through the origin.
+        for (const auto &motion : rigid_motions<dim>())
+          {
+            double inertia = motion.first.norm_square();
+            for (unsigned int c = 0; c < dim; ++c)
+              if (motion.second[c].norm() > 0.)
+                {
+                  const double p = scene.bodies[b].lower_corner()[c];
+                  const double q = scene.bodies[b].upper_corner()[c];
+                  inertia += (q * q + p * q + p * p) / 3.;
+                }
+            const NodalVector r = scene.affine(b, motion.first, motion.second);
+            EXPECT_NEAR(product(r, scene.matrices.mass, r) / mass,
+                        inertia,
+                        1e-12 * inertia);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  expect_no_energy_of_rigid_motion()
+  {
+    const Scene<dim> scene = make_scene<dim>();
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      for (const auto &motion : rigid_motions<dim>())
+        for (const BlockMatrix<dim> *A :
+             {&scene.matrices.stiffness, &scene.matrices.damping})
+          {
+            const NodalVector r = scene.affine(b, motion.first, motion.second);
+            NodalVector       force = r;
+            A->vmult(force, r);
+            const double scale = largest_entry(*A) * r.linfty_norm();
+            EXPECT_LT(force.linfty_norm(), 1e-13 * scale);
+            EXPECT_LT(std::abs(r * force), 1e-12 * scale);
+          }
+  }
+
+
+
+  /** The stress of the material law as it stands in the textbooks, from the
+   * strain in three dimensions. */
+  template <int dim>
+  std::pair<double, double>
+  energy_densities(const Material &material, const Tensor<2, dim> &G)
+  {
+    SymmetricTensor<2, 3> eps;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d <= c; ++d)
+        eps[c][d] = 0.5 * (G[c][d] + G[d][c]);
+    const double E = material.youngs_modulus, nu = material.poissons_ratio;
+    const auto   I = unit_symmetric_tensor<3>();
+    const SymmetricTensor<2, 3> elastic =
+      E / (1. + nu) * (eps + nu / (1. - 2. * nu) * trace(eps) * I);
+    const SymmetricTensor<2, 3> viscous =
+      2. * material.shear_viscosity * deviator(eps) +
+      material.bulk_viscosity * trace(eps) * I;
+    return {elastic * eps, viscous * eps};
+  }
+
+
+
+  template <int dim>
+  void
+  expect_energy_of_constant_strain()
+  {
+    const Scene<dim>                       scene = make_scene<dim>();
+    std::mt19937                           random(5);
+    std::uniform_real_distribution<double> number(-1., 1.);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      for (unsigned int repetition = 0; repetition < 5; ++repetition)
+        {
+          Tensor<2, dim> G;
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              G[c][d] = number(random);
+          const NodalVector u       = scene.affine(b, {}, G);
+          const auto        density = energy_densities(scene.materials[b], G);
+          const double elastic = 0.5 * product(u, scene.matrices.stiffness, u);
+          const double viscous = product(u, scene.matrices.damping, u);
+          EXPECT_NEAR(elastic / (0.5 * density.first * scene.volume(b)),
+                      1.,
+                      1e-12);
+          EXPECT_NEAR(viscous / (density.second * scene.volume(b)), 1., 1e-12);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  expect_right_weight()
+  {
+    const Scene<dim>  scene = make_scene<dim>();
+    const double      g     = 9.81;
+    const NodalVector load =
+      assemble_gravity(scene.meshes.finest(), scene.materials, g);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const double weight = scene.materials[b].density * g * scene.volume(b);
+        const Point<dim> lower = scene.bodies[b].lower_corner();
+        const Point<dim> upper = scene.bodies[b].upper_corner();
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            Tensor<1, dim> e;
+            e[c] = 1.;
+            EXPECT_NEAR(load * scene.affine(b, e, {}),
+                        c == dim - 1 ? -weight : 0.,
+                        1e-12 * weight);
+            // The first moments of the vertical load are those of the
+            // centroid.
+            Tensor<2, dim> G;
+            G[dim - 1][c] = 1.;
+            EXPECT_NEAR(load * scene.affine(b, {}, G),
+                        -weight * 0.5 * (lower[c] + upper[c]),
+                        1e-12 * weight);
+          }
+      }
+    NodalVector at_hanging = load;
+    for_each_node(scene.meshes.finest(),
+                  [&](const unsigned int,
+                      const unsigned int,
+                      const unsigned int node,
+                      const Point<dim> &,
+                      const bool hanging) {
+                    if (!hanging)
+                      for (unsigned int c = 0; c < dim; ++c)
+                        at_hanging.local_element(node * dim + c) = 0.;
+                  });
+    EXPECT_EQ(at_hanging.linfty_norm(), 0.);
+  }
+} // namespace
+
+
+
+TEST(ElasticMatrices, MassAndMomentsOfInertia)
+{
+  expect_right_mass<2>();
+  expect_right_mass<3>();
+}
+
+
+
+TEST(ElasticMatrices, RigidMotionCostsNoEnergy)
+{
+  expect_no_energy_of_rigid_motion<2>();
+  expect_no_energy_of_rigid_motion<3>();
+}
+
+
+
+TEST(ElasticMatrices, EnergyOfConstantStrain)
+{
+  expect_energy_of_constant_strain<2>();
+  expect_energy_of_constant_strain<3>();
+}
+
+
+
+TEST(ElasticMatrices, AreSymmetric)
+{
+  const Scene<2> scene_2d = make_scene<2>();
+  expect_symmetric(scene_2d.matrices.mass);
+  expect_symmetric(scene_2d.matrices.damping);
+  expect_symmetric(scene_2d.matrices.stiffness);
+  const Scene<3> scene_3d = make_scene<3>();
+  expect_symmetric(scene_3d.matrices.mass);
+  expect_symmetric(scene_3d.matrices.damping);
+  expect_symmetric(scene_3d.matrices.stiffness);
+}
+
+
+
+TEST(ElasticMatrices, GravityIsTheWeight)
+{
+  expect_right_weight<2>();
+  expect_right_weight<3>();
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "stacked_bodies.h"
+
+using namespace StickSlip;
+
+namespace
+{
+  const double root2 = std::sqrt(2.);
+
+
+
+  template <int dim>
+  unsigned int
+  n_vertices(const MeshLevel<dim> &level)
+  {
+    unsigned int n = 0;
+    for (const auto &body : level.bodies)
+      n += body->triangulation().n_used_vertices();
+    return n;
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  cell_diameters(const MeshLevel<dim> &level)
+  {
+    auto result = level.bodies.front()->cell_diameters();
+    for (const auto &body : level.bodies)
+      {
+        result.first  = std::min(result.first, body->cell_diameters().first);
+        result.second = std::max(result.second, body->cell_diameters().second);
+      }
+    return result;
+  }
+
+
+
+  /** Number of cells in each row, from the height @p from away. */
+  std::vector<unsigned int>
+  cells_by_row(const BodyMesh<2> &body, const double from)
+  {
+    std::map<int, unsigned int> rows;
+    for (const auto &cell : body.triangulation().active_cell_iterators())
+      ++rows[std::lround(1e6 * std::abs(cell->center()[1] - from))];
+    std::vector<unsigned int> result;
+    for (const auto &row : rows)
+      result.push_back(row.second);
+    return result;
+  }
+} // namespace
+
+
+
+TEST(MeshCounts, SpringSliderIsThePublishedMesh)
+{
+  const MeshHierarchy<2> meshes(spring_slider_bodies(), MPI_COMM_WORLD);
+  const MeshLevel<2>    &finest = meshes.finest();
+  EXPECT_EQ(n_vertices(finest), 1274u);
+  EXPECT_EQ(finest.nodes.n_global(), 1274u);
+  EXPECT_EQ(meshes.n_levels(), 5u);
+
+  const std::vector<unsigned int> rows = {160, 160, 80, 40, 20, 10};
+  for (const auto &body : finest.bodies)
+    {
+      EXPECT_EQ(body->dof_handler().n_dofs(), 637u);
+      EXPECT_EQ(cells_by_row(*body, 1.), rows);
+    }
+  EXPECT_EQ(finest.bodies[0]->surface(BodyMesh<2>::upper_side).dofs.size(),
+            161u);
+  EXPECT_EQ(finest.bodies[1]->surface(BodyMesh<2>::lower_side).dofs.size(),
+            161u);
+  EXPECT_EQ(finest.bodies[1]->surface(BodyMesh<2>::lower_side).faces.size(),
+            160u);
+
+  // Published: 4.4 cm to 70.8 cm.
+  const auto diameters = cell_diameters(finest);
+  EXPECT_NEAR(diameters.first, 0.03125 * root2, 1e-12);
+  EXPECT_NEAR(diameters.second, 0.5 * root2, 1e-12);
+  EXPECT_NEAR(diameters.first, 0.044, 0.001);
+  EXPECT_NEAR(diameters.second, 0.708, 0.001);
+}
+
+
+
+TEST(MeshCounts, LayeredBodiesAreThePublishedMesh)
+{
+  const MeshHierarchy<2> meshes(layered_bodies(), MPI_COMM_WORLD);
+  const MeshLevel<2>    &finest = meshes.finest();
+  EXPECT_EQ(n_vertices(finest), 4057u);
+  EXPECT_EQ(meshes.n_levels(), 5u);
+  const std::vector<unsigned int> published = {637, 839, 1105, 839, 637};
+  for (unsigned int b = 0; b < 5; ++b)
+    EXPECT_EQ(finest.bodies[b]->dof_handler().n_dofs(), published[b]);
+
+  // Published: 3.2 cm to 70.8 cm.
+  const auto diameters = cell_diameters(finest);
+  EXPECT_NEAR(diameters.first, std::hypot(5. / 220, 0.09 / 4), 1e-12);
+  EXPECT_NEAR(diameters.second, 0.5 * root2, 1e-12);
+  EXPECT_NEAR(diameters.first, 0.032, 0.0005);
+  EXPECT_NEAR(diameters.second, 0.708, 0.001);
+}
+
+
+
+TEST(MeshCounts, HierarchiesEndAtTheCoarseMesh)
+{
+  const auto             bodies = layered_bodies();
+  const MeshHierarchy<2> meshes(bodies, MPI_COMM_WORLD);
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const BodyMesh<2> &coarsest = *meshes.level(0).bodies[b];
+      EXPECT_FALSE(coarsest.can_be_coarsened());
+      EXPECT_EQ(coarsest.triangulation().n_active_cells(),
+                bodies[b].coarse_cells[0] * bodies[b].coarse_cells[1]);
+      // Each level is one pass coarser, until nothing is left to coarsen.
+      for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+        {
+          const unsigned int from_finest = meshes.n_levels() - 1 - l;
+          const unsigned int passes      = bodies[b].refinement_passes;
+          EXPECT_EQ(meshes.level(l).bodies[b]->triangulation().n_levels(),
+                    1 + passes - std::min(passes, from_finest));
+        }
+    }
+}
+
+
+
+TEST(MeshCounts, NodesOfTheBodiesFollowEachOther)
+{
+  const MeshHierarchy<2> meshes(nonmatching_bodies(), MPI_COMM_WORLD);
+  for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+    {
+      const MeshLevel<2> &level = meshes.level(l);
+      unsigned int        n     = 0;
+      for_each_node(level,
+                    [&](const unsigned int,
+                        const unsigned int,
+                        const unsigned int node,
+                        const Point<2> &,
+                        const bool) { EXPECT_EQ(node, n++); });
+      EXPECT_EQ(n, level.nodes.n_local());
+    }
+}
+
+
+
+TEST(MeshCounts, SurfacesCoverTheWholeSideInThreeDimensions)
+{
+  const MeshHierarchy<3> meshes(nonmatching_blocks(), MPI_COMM_WORLD);
+  for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const BodyMesh<3> &body = *meshes.level(l).bodies[b];
+        const auto surface = body.surface(b == 0 ? BodyMesh<3>::upper_side :
+                                                   BodyMesh<3>::lower_side);
+        // Equal squares: no hanging nodes on the fault.
+        const double n = std::sqrt(surface.faces.size());
+        EXPECT_EQ(surface.dofs.size(), std::lround((n + 1) * (n + 1)));
+        for (const auto dof : surface.dofs)
+          EXPECT_FALSE(body.hanging_nodes().is_constrained(dof));
+        for (const auto &point : surface.points)
+          EXPECT_EQ(point[2], 3.);
+        double area = 0.;
+        for (const auto &face : surface.faces)
+          {
+            const Tensor<1, 3> x =
+              surface.points[face[1]] - surface.points[face[0]];
+            const Tensor<1, 3> y =
+              surface.points[face[2]] - surface.points[face[0]];
+            area += cross_product_3d(x, y).norm();
+          }
+        EXPECT_NEAR(area, 25., 1e-12);
+      }
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tests_stuck_faults_h
+#define stickslip_tests_stuck_faults_h
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <stickslip/time/spatial_problem.h>
+
+#include "stacked_bodies.h"
+
+namespace StickSlip
+{
+  /** A side with conditions that act in full from the start. */
+  template <int dim>
+  BoundaryCondition<dim>
+  make_side(const std::string                   &body,
+            const unsigned int                   side,
+            const std::array<BoundaryType, dim> &type,
+            const std::array<std::string, dim>  &expression = {})
+  {
+    BoundaryCondition<dim> condition;
+    condition.body       = body;
+    condition.side       = side;
+    condition.type       = type;
+    condition.expression = expression;
+    for (std::string &text : condition.expression)
+      if (text.empty())
+        text = "0";
+    condition.ramp_length = 0.;
+    return condition;
+  }
+
+
+
+  /** A whole scene in space; bodies are named 0, 1, 2... from below. */
+  template <int dim>
+  struct SpatialScene
+  {
+    MeshHierarchy<dim>    meshes;
+    std::vector<Material> materials;
+    BoundaryValues<dim>   boundary;
+    SpatialProblem<dim>   problem;
+
+    SpatialScene(const std::vector<BodyGeometry<dim>>      &bodies,
+                 const std::vector<BoundaryCondition<dim>> &conditions,
+                 const std::vector<Material>               &materials,
+                 const double                               gravity)
+      : meshes(bodies, MPI_COMM_WORLD)
+      , materials(materials)
+      , boundary(meshes, conditions, names(bodies.size()))
+      , problem(meshes, materials, boundary, gravity)
+    {}
+
+    static std::vector<std::string>
+    names(const unsigned int n)
+    {
+      std::vector<std::string> result;
+      for (unsigned int b = 0; b < n; ++b)
+        result.push_back(std::to_string(b));
+      return result;
+    }
+  };
+
+
+
+  /** The components that are not fixed, and no jumps: the faults are stuck. */
+  template <int dim>
+  NodeMask
+  stuck_mask(const LevelHierarchy<dim> &hierarchy)
+  {
+    NodeMask mask = hierarchy.finest().fixed;
+    for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
+      mask.mask_node(p);
+    return mask;
+  }
+
+
+
+  /**
+   * Improve the active components of @p w until A w = b holds there, for the
+   * operator A = sum of coefficients times terms.
+   */
+  template <int dim>
+  void
+  solve_linear(LevelHierarchy<dim>       &hierarchy,
+               const std::vector<double> &coefficients,
+               const NodeMask            &active,
+               const NodalVector         &b,
+               NodalVector               &w,
+               const double               reduction = 1e-14)
+  {
+    struct Operator
+    {
+      LevelHierarchy<dim> &hierarchy;
+
+      void
+      vmult(NodalVector &y, const NodalVector &x) const
+      {
+        hierarchy.vmult_linearised(y, x);
+      }
+    };
+    struct Preconditioner
+    {
+      LevelHierarchy<dim> &hierarchy;
+
+      void
+      vmult(NodalVector &y, const NodalVector &x) const
+      {
+        hierarchy.v_cycle(y, x);
+      }
+    };
+
+    hierarchy.combine(coefficients);
+    hierarchy.linearise(std::vector<Tensor<2, dim>>(
+                          hierarchy.finest().nonsmooth_nodes.size()),
+                        active);
+    NodalVector residual = b, correction = b;
+    hierarchy.matrix().residual(residual, b, w);
+    active.apply(residual);
+    correction = 0.;
+    if (residual.l2_norm() == 0.)
+      return;
+    SolverControl control(500, reduction * residual.l2_norm());
+    SolverCG<NodalVector>(control).solve(Operator{hierarchy},
+                                         correction,
+                                         residual,
+                                         Preconditioner{hierarchy});
+    w += correction;
+  }
+} // namespace StickSlip
+
+#endif
