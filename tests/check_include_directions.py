@@ -26,7 +26,7 @@ ALLOWED = {
         "parameters", "tnnmg", "friction", "mortar", "mechanics", "mesh",
         "algebra",
     ),
-    "output": ("parameters",),
+    "output": ("parameters", "mesh", "algebra"),
     "simulation": (
         "parameters", "output", "time", "tnnmg", "friction", "mortar",
         "mechanics", "mesh", "algebra",

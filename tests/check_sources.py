@@ -22,7 +22,7 @@ COPYRIGHT = re.compile(r"Copyright \(C\) \d{4}(-\d{4})? by the stickslip authors
 HEAVY_HEADERS = re.compile(
     r"^\s*#\s*include\s*[<\"](deal\.II/(numerics/vector_tools|numerics/data_out"
     r"|numerics/matrix_tools|lac/(generic_linear_algebra|trilinos|petsc))"
-    r"|(Epetra|ml_|Amesos|Teuchos|hdf5))",
+    r"|(Epetra|ml_|Amesos|Teuchos))",
     re.MULTILINE,
 )
 

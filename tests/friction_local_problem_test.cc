@@ -216,7 +216,7 @@ TEST_P(LocalProblem, ExtremeValuesAreHarmless)
   for (const double data : {-1500., -700., -70., 50., 720.})
     for (const double size : {1e-10, 1., 1e12})
       for (const double condition : {1., 1e3, 1e8})
-        for (const double k : {0., 1e-12, 1., 1e9})
+        for (const double k : {-0., 0., 1e-12, 1., 1e9})
           for (const double load : {0., 1e-300, 1e-10, 1., 1e8})
             {
               const Tensor<2, 2> A = matrix(size, condition, 0.7);
@@ -227,6 +227,11 @@ TEST_P(LocalProblem, ExtremeValuesAreHarmless)
               EXPECT_TRUE(std::isfinite(v[0]) && std::isfinite(v[1]));
               EXPECT_LE(std::hypot(v[0], v[1]),
                         1.1 * load / (size / condition) * (1. + 1e-6) + 1e-320);
+              if (k == 0.)
+                {
+                  EXPECT_EQ(minimise_local(law, data, size, load, k),
+                            load / size);
+                }
               for (const double w : {1e-300, 1e-30, 1e3})
                 {
                   const double beside =

@@ -49,6 +49,25 @@ TEST(LongSpringSlider, GivesThePublishedEvents)
 
 
 
+TEST(LongSpringSlider, EventTimesHardlyDependOnTheTolerance)
+{
+  const auto first_events = [](const std::vector<std::string> &overrides) {
+    std::vector<std::string> all = {"Time/End time=28"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return RunHistory(published_scene("spring_slider", all)).events;
+  };
+  const std::vector<SlipEvent> coarse = first_events({}),
+                               fine   = first_events({"Time/Tolerance=1e-5"});
+  ASSERT_GE(coarse.size(), 4u);
+  ASSERT_GE(fine.size(), 4u);
+  const double recurrence = (fine[3].start - fine[0].start) / 3.;
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_LT(std::abs(coarse[i].start - fine[i].start), 0.02 * recurrence)
+      << "event " << i;
+}
+
+
+
 TEST(LongSpringSlider, CreepsWithThePrintedCharacteristicSlip)
 {
   const RunHistory run(published_scene("spring_slider_printed_L"));

@@ -46,6 +46,9 @@ namespace
     {"--set 'Time/End time=nan'", {"Time/End time", "'nan'", "> 0"}},
     {"--set 'Faults/fault/Initial state=x'",
      {"Faults/fault/Initial state", "'x'", "greater than 0"}},
+    {"--set 'Gravity/Acceleration=0' "
+     "--set 'Faults/fault/Normal stress=initial equilibrium'",
+     {"Faults/fault/Normal stress", "nothing presses", "'function'"}},
     {"--set 'Output/Output directory=file/output'",
      {"Output/Output directory", "'file/output'", "cannot be created"}},
     {"--set 'Output/Output directory=file'",

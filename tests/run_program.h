@@ -20,28 +20,12 @@ namespace StickSlip::Tests
 
 
 
-  /** The absolute path of a file below a folder that the environment names. */
-  inline std::string
-  path_below(const char        *variable,
-             const char        *otherwise,
-             const std::string &file)
-  {
-    const char *folder = std::getenv(variable);
-    return std::filesystem::absolute(
-             std::filesystem::path(folder == nullptr ? otherwise : folder) /
-             file)
-      .string();
-  }
-
-
-
   /** The program with none of this process's environment, which would make it
    * part of the same MPI job. To be used in a shell. */
   inline std::string
   program()
   {
-    const std::string path =
-      path_below("STICKSLIP_BINARY_DIR", ".", "stickslip");
+    const std::string path = STICKSLIP_BINARY_DIR "/stickslip";
     EXPECT_TRUE(std::filesystem::exists(path)) << path;
     return "env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '" +
@@ -80,11 +64,9 @@ namespace StickSlip::Tests
   {
     const Outcome outcome =
       run_command(folder,
-                  "/usr/bin/python3 '" +
-                    path_below("STICKSLIP_SOURCE_DIR",
-                               "..",
-                               "tests/check_output_folder.py") +
-                    "' '" + output + "' fault");
+                  "/usr/bin/python3 '" STICKSLIP_SOURCE_DIR
+                  "/tests/check_output_folder.py' '" +
+                    output + "' fault");
     EXPECT_EQ(outcome.errors, "");
     return outcome.output;
   }

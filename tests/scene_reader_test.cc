@@ -33,8 +33,7 @@ namespace
   std::string
   source_file(const std::string &name)
   {
-    const char *folder = std::getenv("STICKSLIP_SOURCE_DIR");
-    return std::string(folder == nullptr ? ".." : folder) + "/" + name;
+    return std::string(STICKSLIP_SOURCE_DIR "/") + name;
   }
 } // namespace
 

@@ -22,9 +22,7 @@ namespace StickSlip::Tests
   published_scene(const std::string              &name,
                   const std::vector<std::string> &overrides = {})
   {
-    const char *folder = std::getenv("STICKSLIP_SOURCE_DIR");
-    return SceneReader(std::string(folder == nullptr ? ".." : folder) +
-                         "/parameters/" + name + ".prm",
+    return SceneReader(STICKSLIP_SOURCE_DIR "/parameters/" + name + ".prm",
                        overrides)
       .read<2>();
   }

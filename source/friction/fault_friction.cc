@@ -271,6 +271,9 @@ namespace StickSlip
     AssertIndexRange(k, terms.size());
     const Term  &term = terms[k];
     const double V    = slip_rate(v);
+    // The derivatives of the law may be infinite.
+    if (term.load == 0.)
+      return Tensor<2, dim>();
 
     const auto   bounded = [](const double x) { return std::min(x, 1e200); };
     const double radial =

@@ -228,8 +228,8 @@ namespace StickSlip
     const double ka = k * parameters.a;
     const double q  = r / ka;
     // z is the difference of two logarithms and cannot be that large, so that
-    // nothing of friction is left in r. This includes k = 0.
-    if (q > 1e30)
+    // nothing of friction is left in r.
+    if (k == 0. || q > 1e30)
       return r / c;
     return (regularisation == Regularisation::truncated) ?
              minimiser_truncated(c, r, ka, q, log_vmin) :

@@ -7,6 +7,7 @@
 #include <stickslip/parameters/input_error.h>
 #include <stickslip/simulation/initial_state.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace StickSlip
@@ -64,6 +65,7 @@ namespace StickSlip
                           scene.bodies[i].geometry.thickness;
         FunctionParser<dim> function;
         initialize(function, scene.faults[f].normal_stress);
+        const unsigned int first = k;
         for (const Point<dim> &point : basis.faults()[f].slave_surface.points)
           {
             if (scene.faults[f].normal_stress_source ==
@@ -89,6 +91,16 @@ namespace StickSlip
               }
             ++k;
           }
+        if (scene.faults[f].normal_stress_source !=
+              NormalStressSource::function &&
+            std::none_of(stress.begin() + first,
+                         stress.begin() + k,
+                         [](const double sigma) { return sigma > 0.; }))
+          throw InputError(
+            "Faults/" + scene.faults[f].name +
+            "/Normal stress: nothing presses this fault together; it must be "
+            "'function', or there must be gravity or a boundary traction that "
+            "does.");
       }
     return stress;
   }

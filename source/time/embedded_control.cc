@@ -95,7 +95,8 @@ namespace StickSlip
       friction_error[k] =
         (past.friction[k] - w0 * history[0].friction[k] -
          w1 * history[1].friction[k] - w2 * history[2].friction[k])
-          .norm() /
+          .norm() *
+        faults.relative_normal_stress()[k] /
         std::max(faults.law(k).a, faults.law(k).b) * c0 / (cc + c0);
     return std::hypot(state_error, faults.l2_norm(friction_error));
   }

@@ -40,6 +40,21 @@ namespace StickSlip
                 return nodes[k] < nodes[m];
               });
 
+    relative_stresses.resize(nodes.size());
+    for (unsigned int f = 0; f < laws.size(); ++f)
+      {
+        double force = 0, area = 0;
+        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+          if (active[k])
+            {
+              force += node_weights[k] * stresses[k];
+              area += node_weights[k];
+            }
+        if (force > 0.)
+          for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+            relative_stresses[k] = stresses[k] * area / force;
+      }
+
     std::vector<unsigned int>                       term_nodes, law_indices;
     std::vector<double>                             term_weights, term_stresses;
     std::vector<std::shared_ptr<const FrictionLaw>> friction_laws;
@@ -126,6 +141,15 @@ namespace StickSlip
   FaultNodes<dim>::normal_stress() const
   {
     return stresses;
+  }
+
+
+
+  template <int dim>
+  const std::vector<double> &
+  FaultNodes<dim>::relative_normal_stress() const
+  {
+    return relative_stresses;
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <stickslip/time/embedded_control.h>
 #include <stickslip/time/step_doubling.h>
+#include <stickslip/time/step_size_control.h>
 
 #include <cmath>
 #include <sstream>

@@ -16,8 +16,9 @@ namespace StickSlip
    * - state: e = (alpha - AB2) / (3 (1 + h1/h)), where AB2 is the
    *   Adams-Bashforth prediction from the last two state rates;
    * - traction: e = |m - extrapolated| / max(a, b) * c0 / (cc + c0), where m is
-   *   the friction coefficient times the direction of the slip rate, c0 =
-   *   h^3/12 and cc = h (h + h1) (h + h1 + h2) / 6.
+   *   the friction coefficient times the direction of the slip rate and times
+   *   the normal stress over its mean on the fault, c0 = h^3/12 and cc =
+   *   h (h + h1) (h + h1 + h2) / 6.
    *
    * Both are Milne's device: the known ratio of the error constants of the
    * step and of its prediction. The error is the L2(fault) norm of both; the

@@ -73,6 +73,11 @@ namespace StickSlip
     const std::vector<double> &
     normal_stress() const;
 
+    /** Normal stress over its mean on the same fault; zero where there is
+     * none. */
+    const std::vector<double> &
+    relative_normal_stress() const;
+
     /** The positions of the nodes that are in contact, in the order of the
      * terms of friction(). */
     const std::vector<unsigned int> &
@@ -107,6 +112,7 @@ namespace StickSlip
     std::vector<bool>                   active;
     std::vector<double>                 node_weights;
     std::vector<double>                 stresses;
+    std::vector<double>                 relative_stresses;
     std::vector<unsigned int>           contact_positions;
     std::unique_ptr<FaultFriction<dim>> functional;
   };

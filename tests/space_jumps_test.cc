@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/algebra/galerkin_product.h>
+
+#include <algorithm>
+
+#include "stuck_faults.h"
+
+using namespace StickSlip;
+
+namespace
+{
+  /** Scenes of stacked bodies: a matching and nonmatching ones. */
+  template <int dim>
+  std::vector<std::vector<BodyGeometry<dim>>>
+  scenes();
+
+  template <>
+  std::vector<std::vector<BodyGeometry<2>>>
+  scenes<2>()
+  {
+    return {spring_slider_bodies(), nonmatching_bodies(), layered_bodies()};
+  }
+
+  template <>
+  std::vector<std::vector<BodyGeometry<3>>>
+  scenes<3>()
+  {
+    return {nonmatching_blocks()};
+  }
+
+
+
+  /** The jump bases of all levels, the left ends of all bodies held or not. */
+  template <int dim>
+  struct Bases
+  {
+    MeshHierarchy<dim>                           meshes;
+    std::vector<FaultSides>                      sides;
+    std::vector<std::unique_ptr<JumpBasis<dim>>> bases;
+
+    Bases(const std::vector<BodyGeometry<dim>> &bodies, const bool held)
+      : meshes(bodies, MPI_COMM_WORLD)
+    {
+      for (unsigned int b = 0; b + 1 < bodies.size(); ++b)
+        sides.push_back(choose_fault_sides(meshes.finest(), b));
+      for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+        {
+          NodeMask dirichlet(meshes.level(l).nodes.n_local(), dim);
+          if (held)
+            for_each_node(meshes.level(l),
+                          [&](const unsigned int,
+                              const unsigned int,
+                              const unsigned int node,
+                              const Point<dim>  &x,
+                              const bool) {
+                            if (x[0] == -2.5)
+                              dirichlet.mask(node, 0);
+                          });
+          bases.push_back(std::make_unique<JumpBasis<dim>>(
+            meshes.level(l),
+            sides,
+            meshes.level(l).nodes.make_vector(),
+            dirichlet));
+        }
+    }
+
+    TransferMatrix
+    prolongation(const unsigned int l) const
+    {
+      return jump_prolongation(*bases[l - 1],
+                               *bases[l],
+                               meshes.prolongation(l));
+    }
+  };
+
+
+
+  /** Call @p check on all scenes, with and without held ends. */
+  template <int dim>
+  void
+  for_each_scene(void (*check)(const Bases<dim> &))
+  {
+    for (const auto &bodies : scenes<dim>())
+      for (const bool held : {false, true})
+        check(Bases<dim>(bodies, held));
+  }
+
+
+
+  template <int dim>
+  void
+  expect_inverse(const Bases<dim> &bases)
+  {
+    for (const auto &basis : bases.bases)
+      for (const TransferMatrix &product :
+           {basis->to_nodal() * basis->to_jumps(),
+            basis->to_jumps() * basis->to_nodal()})
+        {
+          const auto &rows  = product.matrix();
+          double      error = 0.;
+          for (unsigned int i = 0; i < product.n_rows(); ++i)
+            {
+              double diagonal = 0.;
+              for (unsigned int k = rows.row_start[i];
+                   k < rows.row_start[i + 1];
+                   ++k)
+                if (rows.column[k] == i)
+                  diagonal = rows.value[k];
+                else
+                  error = std::max(error, std::abs(rows.value[k]));
+              error = std::max(error, std::abs(diagonal - 1.));
+            }
+          EXPECT_LT(error, 1e-14);
+        }
+  }
+
+
+
+  /** Each body's own linear function: its jumps are linear too. */
+  template <int dim>
+  void
+  expect_linear_functions_reproduced(const Bases<dim> &bases)
+  {
+    const auto function = [](const unsigned int body, const Point<dim> &x) {
+      Tensor<1, dim> value;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          value[c] +=
+            0.05 * std::cos(1. + body + 2. * c + 3. * d) * (1. + x[d]);
+      return value;
+    };
+    for (unsigned int l = 1; l < bases.meshes.n_levels(); ++l)
+      {
+        const NodalVector u_coarse =
+          interpolate(bases.meshes.level(l - 1), function);
+        const NodalVector u_fine = interpolate(bases.meshes.level(l), function);
+        NodalVector       coarse = u_coarse, fine = u_fine, expected = u_fine;
+        bases.bases[l - 1]->to_jumps().prolongate(coarse, u_coarse, dim);
+        bases.prolongation(l).prolongate(fine, coarse, dim);
+        bases.bases[l]->to_jumps().prolongate(expected, u_fine, dim);
+        EXPECT_GT(expected.linfty_norm(), 0.1);
+        fine -= expected;
+        EXPECT_LT(fine.linfty_norm(), 1e-13) << "on level " << l;
+      }
+  }
+
+
+
+  /**
+   * A jump by which one body moves off the others as a whole is the same jump
+   * on the finer level. Without jumps the finer level has none either, if the
+   * meshes match.
+   */
+  template <int dim>
+  void
+  expect_jumps_stay_jumps(const Bases<dim> &bases)
+  {
+    for (unsigned int l = 1; l < bases.meshes.n_levels(); ++l)
+      {
+        const TransferMatrix P = bases.prolongation(l);
+        NodalVector coarse     = bases.meshes.level(l - 1).nodes.make_vector();
+        NodalVector fine       = bases.meshes.level(l).nodes.make_vector();
+        for (const unsigned int p : bases.bases[l - 1]->contact_nodes())
+          coarse.local_element(p * dim) = 1.;
+        P.prolongate(fine, coarse, dim);
+        for (const FaultContact<dim> &fault : bases.bases[l]->faults())
+          {
+            const auto all = fault.coupling.averaging_factor;
+            // Held ends have no jump, and the mean next to them is smaller.
+            if (*std::min_element(all.begin(), all.end()) < 1. - 1e-10)
+              continue;
+            for (const unsigned int p : fault.slave_nodes)
+              EXPECT_NEAR(fine.local_element(p * dim), 1., 1e-13);
+            // Jumps have no influence on the masters.
+            for (const unsigned int q : fault.master_nodes)
+              EXPECT_EQ(fine.local_element(q * dim), 0.);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  expect_rigid_motion_free_of_energy(
+    const std::vector<BodyGeometry<dim>> &bodies)
+  {
+    SpatialScene<dim> scene(bodies,
+                            {},
+                            std::vector<Material>(bodies.size()),
+                            9.81);
+    const Bases<dim>  bases(bodies, /*held=*/false);
+    for (const auto term :
+         {SpatialProblem<dim>::stiffness, SpatialProblem<dim>::damping})
+      {
+        BlockMatrix<dim> A = scene.problem.hierarchy().term(term);
+        for (unsigned int l = scene.meshes.n_levels(); l-- > 0;)
+          {
+            double scale = 0.;
+            for (const double value : A.values())
+              scale = std::max(scale, std::abs(value));
+            for (const auto &motion : rigid_motions<dim>())
+              {
+                NodalVector w =
+                  interpolate(scene.meshes.level(l),
+                              [&](const unsigned int, const Point<dim> &x) {
+                                return motion.first + motion.second * x;
+                              });
+                const NodalVector u     = w;
+                NodalVector       force = w;
+                bases.bases[l]->to_jumps().prolongate(w, u, dim);
+                for (const unsigned int p : bases.bases[l]->contact_nodes())
+                  for (unsigned int c = 0; c < dim; ++c)
+                    EXPECT_LT(std::abs(w.local_element(p * dim + c)), 1e-13);
+                A.vmult(force, w);
+                EXPECT_LT(force.linfty_norm(), 1e-12 * scale)
+                  << "on level " << l;
+                EXPECT_LT(std::abs(w * force), 1e-11 * scale)
+                  << "on level " << l;
+              }
+            if (l == 0)
+              break;
+            const TransferMatrix P = bases.prolongation(l);
+            GalerkinProduct<dim> product(P, A.sparsity());
+            BlockMatrix<dim>     coarse(product.coarse_sparsity());
+            product.compute(A, NodeMask(A.n_rows(), dim), coarse);
+            A = coarse;
+          }
+      }
+  }
+} // namespace
+
+
+
+TEST(JumpBasis, HasItsInverse)
+{
+  for_each_scene<2>(expect_inverse<2>);
+  for_each_scene<3>(expect_inverse<3>);
+}
+
+
+
+TEST(JumpBasis, ProlongationReproducesLinearFunctions)
+{
+  for_each_scene<2>(expect_linear_functions_reproduced<2>);
+  for_each_scene<3>(expect_linear_functions_reproduced<3>);
+}
+
+
+
+TEST(JumpBasis, JumpsStayJumps)
+{
+  for_each_scene<2>(expect_jumps_stay_jumps<2>);
+  for_each_scene<3>(expect_jumps_stay_jumps<3>);
+}
+
+
+
+TEST(JumpBasis, NoJumpStaysNoneOnMatchingMeshes)
+{
+  const Bases<2> bases(spring_slider_bodies(), /*held=*/false);
+  std::mt19937   random(17);
+  for (unsigned int l = 1; l < bases.meshes.n_levels(); ++l)
+    {
+      NodalVector coarse = random_values(bases.meshes.level(l - 1), random);
+      NodalVector fine   = bases.meshes.level(l).nodes.make_vector();
+      for (const unsigned int p : bases.bases[l - 1]->contact_nodes())
+        for (unsigned int c = 0; c < 2; ++c)
+          coarse.local_element(p * 2 + c) = 0.;
+      bases.prolongation(l).prolongate(fine, coarse, 2);
+      EXPECT_EQ(bases.bases[l]->contact_nodes().size(), 10u * (1u << l) + 1u);
+      for (const unsigned int p : bases.bases[l]->contact_nodes())
+        for (unsigned int c = 0; c < 2; ++c)
+          EXPECT_NEAR(fine.local_element(p * 2 + c), 0., 1e-14);
+    }
+}
+
+
+
+TEST(JumpBasis, RigidMotionCostsNoEnergyOnAnyLevel)
+{
+  for (const auto &bodies : scenes<2>())
+    expect_rigid_motion_free_of_energy<2>(bodies);
+  expect_rigid_motion_free_of_energy<3>(nonmatching_blocks());
+}
+
+
+
+TEST(JumpBasis, SlaveIsTheFinerSide)
+{
+  const auto sides_of = [](const unsigned int below, const unsigned int above) {
+    const MeshHierarchy<2> meshes(stack<2>({make_body<2>(1., {{below, 2}}, 2),
+                                            make_body<2>(1., {{above, 2}}, 2)}),
+                                  MPI_COMM_WORLD);
+    const FaultSides       sides = choose_fault_sides(meshes.finest(), 0);
+    EXPECT_EQ(sides.slave_body + sides.master_body, 1u);
+    EXPECT_EQ(sides.slave_side,
+              sides.slave_is_upper() ? BodyMesh<2>::lower_side + 0u :
+                                       BodyMesh<2>::upper_side + 0u);
+    EXPECT_EQ(sides.master_side,
+              sides.slave_is_upper() ? BodyMesh<2>::upper_side + 0u :
+                                       BodyMesh<2>::lower_side + 0u);
+    return sides;
+  };
+  EXPECT_TRUE(sides_of(10, 11).slave_is_upper());
+  EXPECT_FALSE(sides_of(11, 10).slave_is_upper());
+  EXPECT_TRUE(sides_of(10, 40).slave_is_upper());
+  EXPECT_FALSE(sides_of(40, 10).slave_is_upper());
+  EXPECT_TRUE(sides_of(10, 10).slave_is_upper());
+
+  // The problem in space chooses them that way.
+  for (const bool finer_above : {true, false})
+    {
+      SpatialScene<2> scene(
+        stack<2>({make_body<2>(1., {{finer_above ? 6u : 9u, 1}}, 1),
+                  make_body<2>(1., {{finer_above ? 9u : 6u, 1}}, 1)}),
+        {},
+        std::vector<Material>(2),
+        0.);
+      EXPECT_EQ(scene.problem.jump_basis().faults()[0].sides.slave_is_upper(),
+                finer_above);
+      EXPECT_EQ(scene.problem.jump_basis().contact_nodes().size(), 19u);
+    }
+}
