@@ -171,3 +171,38 @@ TEST(LargeSliding, RebuildsMoreOftenWithASmallerFraction)
     }
   EXPECT_GT(builds[0], builds[1]);
 }
+
+
+
+TEST(LargeSliding, ContactGainedDoesNotHoldUpTheSteps)
+{
+  // The lower side is the slave and reaches farther than the upper body, so
+  // that nodes come into contact and meet friction all at once.
+  SceneParameters<2> scene =
+    sliding_scene({"Bodies/lower/Coarse cells=7, 2",
+                   "Bodies/upper/Upper lateral corner=0.5",
+                   "Bodies/upper/Coarse cells=3, 1",
+                   "Faults/fault/Reference friction coefficient=0.6",
+                   "Time/Tolerance=1e-4"});
+  Simulation<2> simulation(scene, MPI_COMM_WORLD);
+  unsigned int  n_steps = 0;
+  double        time    = 0;
+  simulation.set_up();
+  while (!simulation.is_finished())
+    {
+      ASSERT_NO_THROW(simulation.advance());
+      // The start of the loading needs small steps for itself.
+      if (time > 0.3)
+        {
+          ++n_steps;
+          EXPECT_GT(simulation.state().time - time, 5e-4) << "t = " << time;
+        }
+      time = simulation.state().time;
+    }
+  EXPECT_GE(simulation.spatial_problem().n_builds(), 10u);
+  EXPECT_LT(n_steps, 500u);
+  double area = 0;
+  for (const double weight : simulation.fault_nodes().weights())
+    area += weight;
+  EXPECT_NEAR(area, 1.5, 1e-3);
+}

@@ -7,6 +7,7 @@
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/simulation.h>
+#include <stickslip/simulation/space_summary.h>
 #include <stickslip/version.h>
 
 #include <algorithm>
@@ -78,7 +79,9 @@ namespace StickSlip
                       body_names(scene))
     , problem(mesh_hierarchy, materials(scene), boundary_values, scene.gravity)
     , step_size_range(scene.time.end_time, 0.)
-  {}
+  {
+    construction_timer.stop();
+  }
 
 
 
@@ -132,7 +135,7 @@ namespace StickSlip
   void
   Simulation<dim>::set_up()
   {
-    TimerOutput::Scope section(timer, "Set-up");
+    TimerOutput::Scope section(timer, "Initial equilibrium");
 
     const InitialEquilibrium<dim> equilibrium =
       solve_initial_equilibrium(problem);
@@ -263,7 +266,8 @@ namespace StickSlip
     summary.add_count("Run",
                       "processes",
                       Utilities::MPI::n_mpi_processes(communicator));
-    summarise_meshes(summary);
+    summarise_meshes(summary, mesh_hierarchy, body_names(scene));
+    summarise_problem(summary, problem, body_names(scene), fault_names(scene));
 
     summary.add_count("Steps", "accepted", step_number);
     summary.add_count("Steps", "rejected", step_size_controller->n_rejected());
@@ -295,76 +299,21 @@ namespace StickSlip
                         "nodes in tension at the start, without friction",
                         nodes_in_tension);
 
+    summary.add("Wall time",
+                "Meshes and matrices",
+                construction_timer.last_wall_time(),
+                "s");
     for (const auto &section :
          timer.get_summary_data(TimerOutput::total_wall_time))
       summary.add("Wall time", section.first, section.second, "s");
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
-    summary.add("Memory", "largest resident size", memory.VmHWM / 1024., "MB");
+    summary.add("Memory", "largest resident size", memory.VmHWM / 1024., "MiB");
     summary.add("Memory",
                 "level hierarchy",
                 problem.hierarchy().memory_consumption() / 1048576.,
-                "MB");
+                "MiB");
     return summary;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::summarise_meshes(RunSummary &summary) const
-  {
-    unsigned int n_vertices = 0, n_cells = 0;
-    double       smallest = std::numeric_limits<double>::max(), largest = 0;
-    const auto   add = [&summary](const std::string &section,
-                                const unsigned int vertices,
-                                const unsigned int cells,
-                                const double       smallest,
-                                const double       largest) {
-      summary.add_count(section, "vertices", vertices);
-      summary.add_count(section, "cells", cells);
-      summary.add(section, "smallest cell diameter", smallest, "m");
-      summary.add(section, "largest cell diameter", largest, "m");
-    };
-    const MeshLevel<dim> &finest = mesh_hierarchy.finest();
-    for (unsigned int i = 0; i < finest.bodies.size(); ++i)
-      {
-        const auto &mesh      = finest.bodies[i]->triangulation();
-        const auto  diameters = finest.bodies[i]->cell_diameters();
-        add("Mesh of body " + scene.bodies[i].name,
-            mesh.n_used_vertices(),
-            mesh.n_active_cells(),
-            diameters.first,
-            diameters.second);
-        n_vertices += mesh.n_used_vertices();
-        n_cells += mesh.n_active_cells();
-        smallest = std::min(smallest, diameters.first);
-        largest  = std::max(largest, diameters.second);
-      }
-    add("Mesh of all bodies", n_vertices, n_cells, smallest, largest);
-    summary.add_count("Mesh of all bodies",
-                      "levels",
-                      mesh_hierarchy.n_levels());
-
-    const LevelDescription &level = problem.hierarchy().finest();
-    summary.add_count("Unknowns", "all", level.nodes.n_global() * dim);
-    summary.add_count("Unknowns",
-                      "not fixed",
-                      level.nodes.n_global() * dim - level.fixed.n_masked());
-    for (unsigned int f = 0; f < scene.faults.size(); ++f)
-      {
-        const FaultContact<dim> &contact = problem.jump_basis().faults()[f];
-        summary.add_count("Fault " + scene.faults[f].name,
-                          "nodes",
-                          contact.slave_nodes.size());
-        summary.add("Fault " + scene.faults[f].name,
-                    "slave body",
-                    scene.bodies[contact.sides.slave_body].name);
-        summary.add("Fault " + scene.faults[f].name,
-                    "area in contact",
-                    contact.coupling.covered_area,
-                    dim == 2 ? "m" : "m^2");
-      }
   }
 
 

@@ -18,8 +18,10 @@ namespace StickSlip
     past.velocity = state.velocity;
     past.state_rate.resize(faults.size());
     past.friction.resize(faults.size());
+    past.in_contact.resize(faults.size());
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
+        past.in_contact[k]  = faults.in_contact(k);
         const FaultLaw &law = faults.law(k);
         const double    V   = state.slip_rate[k].norm();
         past.state_rate[k] =
@@ -92,12 +94,15 @@ namespace StickSlip
     const Past          past = remember(to);
     std::vector<double> friction_error(n);
     for (unsigned int k = 0; k < n; ++k)
-      friction_error[k] =
-        (past.friction[k] - w0 * history[0].friction[k] -
-         w1 * history[1].friction[k] - w2 * history[2].friction[k])
-          .norm() *
-        faults.relative_normal_stress()[k] /
-        std::max(faults.law(k).a, faults.law(k).b) * c0 / (cc + c0);
+      // Friction that a node meets on coming into contact has no past.
+      if (history[0].in_contact[k] && history[1].in_contact[k] &&
+          history[2].in_contact[k])
+        friction_error[k] =
+          (past.friction[k] - w0 * history[0].friction[k] -
+           w1 * history[1].friction[k] - w2 * history[2].friction[k])
+            .norm() *
+          faults.relative_normal_stress()[k] /
+          std::max(faults.law(k).a, faults.law(k).b) * c0 / (cc + c0);
     return std::hypot(state_error, faults.l2_norm(friction_error));
   }
 

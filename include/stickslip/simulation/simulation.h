@@ -68,11 +68,9 @@ namespace StickSlip
     RunSummary
     summarise() const;
 
-    void
-    summarise_meshes(RunSummary &summary) const;
-
     const SceneParameters<dim> scene;
     const MPI_Comm             communicator;
+    Timer                      construction_timer;
     mutable TimerOutput        timer;
 
     MeshHierarchy<dim>                       mesh_hierarchy;

@@ -47,6 +47,8 @@ namespace StickSlip
       std::vector<double> state_rate;
       /** Friction coefficient times the direction of the slip rate. */
       std::vector<Tensor<1, dim - 1>> friction;
+      /** Whether there was any. */
+      std::vector<bool> in_contact;
     };
 
     Past
