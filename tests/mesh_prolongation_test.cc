@@ -12,27 +12,6 @@ using namespace StickSlip;
 
 namespace
 {
-  /** All scenes have hanging nodes on some level. */
-  template <int dim>
-  std::vector<std::vector<BodyGeometry<dim>>>
-  scenes();
-
-  template <>
-  std::vector<std::vector<BodyGeometry<2>>>
-  scenes<2>()
-  {
-    return {spring_slider_bodies(), layered_bodies(), nonmatching_bodies()};
-  }
-
-  template <>
-  std::vector<std::vector<BodyGeometry<3>>>
-  scenes<3>()
-  {
-    return {nonmatching_blocks()};
-  }
-
-
-
   template <int dim>
   unsigned int
   n_hanging(const MeshLevel<dim> &level)

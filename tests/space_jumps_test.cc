@@ -12,27 +12,6 @@ using namespace StickSlip;
 
 namespace
 {
-  /** Scenes of stacked bodies: a matching and nonmatching ones. */
-  template <int dim>
-  std::vector<std::vector<BodyGeometry<dim>>>
-  scenes();
-
-  template <>
-  std::vector<std::vector<BodyGeometry<2>>>
-  scenes<2>()
-  {
-    return {spring_slider_bodies(), nonmatching_bodies(), layered_bodies()};
-  }
-
-  template <>
-  std::vector<std::vector<BodyGeometry<3>>>
-  scenes<3>()
-  {
-    return {nonmatching_blocks()};
-  }
-
-
-
   /** The jump bases of all levels, the left ends of all bodies held or not. */
   template <int dim>
   struct Bases

@@ -135,6 +135,20 @@ namespace StickSlip
 
 
 
+  /** Scenes of stacked bodies, matching and not; all have hanging nodes on some
+   * level. */
+  template <int dim>
+  std::vector<std::vector<BodyGeometry<dim>>>
+  scenes()
+  {
+    if constexpr (dim == 2)
+      return {spring_slider_bodies(), layered_bodies(), nonmatching_bodies()};
+    else
+      return {nonmatching_blocks()};
+  }
+
+
+
   /** Set the values at hanging nodes to what their neighbours make them. */
   template <int dim>
   void
