@@ -54,6 +54,10 @@ namespace
           return 0;
         case CommandLine::Task::run:
           {
+            // The nodes of all levels belong to one process, see make_level().
+            if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+              throw InputError("This version runs on one process only; start "
+                               "it without mpirun.");
             const SceneReader reader(command_line.parameter_file,
                                      command_line.overrides);
             if (reader.dimension() == 2)

@@ -21,15 +21,16 @@ namespace StickSlip::Tests
 
 
   /** The program with none of this process's environment, which would make it
-   * part of the same MPI job. To be used in a shell. */
+   * part of the same MPI job, by itself or by a launcher like mpirun. To be
+   * used in a shell. */
   inline std::string
-  program()
+  program(const std::string &launcher = "")
   {
     const std::string path = STICKSLIP_BINARY_DIR "/stickslip";
     EXPECT_TRUE(std::filesystem::exists(path)) << path;
     return "env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
-           "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '" +
-           path + "'";
+           "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " +
+           launcher + " '" + path + "'";
   }
 
 
