@@ -5,6 +5,7 @@
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include "layered_slider.h"
+#include "nan_in_debug_mode.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -299,6 +300,38 @@ TEST(Multigrid, StepSizeBackAndForthChangesNothing)
   EXPECT_FALSE(is_equal(first, other));
   EXPECT_TRUE(is_equal(solve(1e-2), first));
   EXPECT_TRUE(is_equal(solve(1e-3), other));
+}
+
+
+
+TEST(Multigrid, SingularCoarseMatrixLeavesTheOperatorAsItWas)
+{
+  SKIP_WHERE_NAN_IS_FATAL();
+  LayeredSlider      slider(cells, cells, 2);
+  LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+  const NodeMask    &active    = hierarchy.finest().fixed;
+  const NodalVector  b         = random_vector(hierarchy.finest(), active);
+  NodalVector        first = b, again = b;
+  slider.set_step(1e-2, 0.);
+  truncate(hierarchy, active);
+  hierarchy.v_cycle(first, b);
+
+  const double              nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Tensor<2, 2>> no_numbers(
+    hierarchy.finest().nonsmooth_nodes.size());
+  for (Tensor<2, 2> &H : no_numbers)
+    H[0][0] = nan;
+  EXPECT_THROW(hierarchy.linearise(no_numbers, active), SingularCoarseMatrix);
+  truncate(hierarchy, active);
+  hierarchy.v_cycle(again, b);
+  EXPECT_TRUE(is_equal(first, again));
+
+  hierarchy.combine({0., 0., 0.});
+  EXPECT_THROW(truncate(hierarchy, active), SingularCoarseMatrix);
+  slider.set_step(1e-2, 0.);
+  truncate(hierarchy, active);
+  hierarchy.v_cycle(again, b);
+  EXPECT_TRUE(is_equal(first, again));
 }
 
 

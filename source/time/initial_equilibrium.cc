@@ -96,8 +96,20 @@ namespace StickSlip
     NodeMask stuck = finest.fixed;
     for (const unsigned int p : finest.nonsmooth_nodes)
       stuck.mask_node(p);
-    hierarchy.linearise(
-      std::vector<Tensor<2, dim>>(finest.nonsmooth_nodes.size()), stuck);
+    try
+      {
+        hierarchy.linearise(
+          std::vector<Tensor<2, dim>>(finest.nonsmooth_nodes.size()), stuck);
+      }
+    catch (const SingularCoarseMatrix &error)
+      {
+        AssertThrow(false,
+                    ExcMessage("The static equilibrium at the start was not "
+                               "found: " +
+                               std::string(error.what()) +
+                               ". Sizes and materials of the bodies must not "
+                               "be out of all proportion."));
+      }
 
     const NodalVector load = problem.load(0.);
     NodalVector       rhs  = load;

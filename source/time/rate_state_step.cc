@@ -91,19 +91,27 @@ namespace StickSlip
       {
         faults.set_state(to.alpha);
         SolveSummary rate;
-        if (nested)
+        try
           {
-            rate = solver->solve(faults.friction(), rhs, w);
-            if (!rate.converged)
-              result.failure = "the rate problem was not solved within " +
-                               std::to_string(rate.iterations.size()) +
-                               " iterations";
+            if (nested)
+              {
+                rate = solver->solve(faults.friction(), rhs, w);
+                if (!rate.converged)
+                  result.failure = "the rate problem was not solved within " +
+                                   std::to_string(rate.iterations.size()) +
+                                   " iterations";
+              }
+            else
+              {
+                rate.iterations.push_back(
+                  solver->iterate(faults.friction(), rhs, w));
+                rate.converged = solver->has_converged(rate.iterations.back());
+              }
           }
-        else
+        catch (const SingularCoarseMatrix &error)
           {
-            rate.iterations.push_back(
-              solver->iterate(faults.friction(), rhs, w));
-            rate.converged = solver->has_converged(rate.iterations.back());
+            result.failure = error.what();
+            break;
           }
         if (tnnmg_parameters.print_iterations)
           std::cout << rate;

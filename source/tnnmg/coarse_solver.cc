@@ -88,7 +88,14 @@ namespace StickSlip
                            matrix.block(k)[c * dim + d] :
                            (i == j && c == d ? 1. : 0.));
         }
-    implementation->lu.factorize(target);
+    try
+      {
+        implementation->lu.factorize(target);
+      }
+    catch (const SparseDirectUMFPACK::ExcUMFPACKError &)
+      {
+        throw SingularCoarseMatrix();
+      }
   }
 
 

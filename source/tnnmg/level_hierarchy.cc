@@ -163,7 +163,7 @@ namespace StickSlip
         active == finest.active)
       return;
     current_hessians = hessians;
-    is_linearised    = true;
+    is_linearised    = false;
     finest.active    = active;
 
     // The finest matrix keeps the operator A itself: H is added for the time
@@ -193,9 +193,21 @@ namespace StickSlip
                                 coarse.active,
                                 &coarse.inverse_diagonal[i * dim * dim]);
       }
-    coarse_solver.factorize(levels.front().matrix, levels.front().active);
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      finest.matrix.set_diagonal_block(nodes[k], diagonal[k]);
+    const auto remove_hessians = [&]() {
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        finest.matrix.set_diagonal_block(nodes[k], diagonal[k]);
+    };
+    try
+      {
+        coarse_solver.factorize(levels.front().matrix, levels.front().active);
+      }
+    catch (const SingularCoarseMatrix &)
+      {
+        remove_hessians();
+        throw;
+      }
+    remove_hessians();
+    is_linearised = true;
   }
 
 

@@ -8,9 +8,21 @@
 #include <stickslip/algebra/node_mask.h>
 
 #include <memory>
+#include <stdexcept>
 
 namespace StickSlip
 {
+  /**
+   * Thrown where the matrix of the coarsest level cannot be factorised.
+   */
+  class SingularCoarseMatrix : public std::runtime_error
+  {
+  public:
+    SingularCoarseMatrix()
+      : std::runtime_error("the matrix of the coarsest level is singular")
+    {}
+  };
+
   /**
    * Direct solution on the coarsest level, through UMFPACK. Masked components
    * are zero.
@@ -28,6 +40,7 @@ namespace StickSlip
     CoarseSolver &
     operator=(CoarseSolver &&) noexcept;
 
+    /** Throws SingularCoarseMatrix. */
     void
     factorize(const BlockMatrix<dim> &matrix, const NodeMask &mask);
 

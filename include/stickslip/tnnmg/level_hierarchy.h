@@ -68,7 +68,7 @@ namespace StickSlip
     /**
      * Set H, one block for each nonsmooth node of the finest level, and the
      * components that take part in the linear problem (none of the fixed
-     * ones).
+     * ones). Throws SingularCoarseMatrix; the operator A is as before then.
      */
     void
     linearise(const std::vector<Tensor<2, dim>> &hessians,
