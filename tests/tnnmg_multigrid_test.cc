@@ -377,3 +377,42 @@ TEST(TNNMG, IterationsDoNotGrowWithTheMesh)
         EXPECT_LE(most - least, 2u) << moment.name;
       }
 }
+
+
+
+TEST(TNNMG, CoarseLevelsMayLagBehind)
+{
+  // A state that varies along the fault, so that all curvatures differ and
+  // change in the course of the iteration.
+  LayeredSlider     slider(cells, cells, 4);
+  const NodalVector b = slider.set_step(1e-3, 0.7 * slider.normal_stress);
+  for (const Kind kind : {Kind::truncated, Kind::arcsinh})
+    {
+      const Friction<2> friction =
+        slider.friction(kind, [](double x, unsigned) { return 2. * x; });
+      NodalVector  reference   = slider.start();
+      unsigned int n_reference = 0;
+      for (const double threshold : {0., 0.5, 1e9})
+        {
+          TNNMGParameters parameters;
+          parameters.tolerance               = 1e-11;
+          parameters.coarse_update_threshold = threshold;
+          NodalVector        w               = slider.start();
+          const SolveSummary summary =
+            TNNMGSolver<2>(slider.problem.hierarchy(), parameters)
+              .solve(*friction.functional, b, w);
+          EXPECT_TRUE(summary.converged) << summary;
+          if (threshold == 0.)
+            {
+              reference   = w;
+              n_reference = summary.iterations.size();
+            }
+          if (threshold <= 0.5)
+            {
+              EXPECT_LE(summary.iterations.size(), n_reference + 1) << summary;
+            }
+          w -= reference;
+          EXPECT_LT(w.linfty_norm(), 1e-9 * reference.linfty_norm());
+        }
+    }
+}

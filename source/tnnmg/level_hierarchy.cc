@@ -162,6 +162,9 @@ namespace StickSlip
     if (is_linearised && hessians == current_hessians &&
         active == finest.active)
       return;
+    const bool keep_coarse_levels = is_linearised && levels.size() > 1 &&
+                                    active == finest.active &&
+                                    are_close(hessians, coarse_hessians);
     current_hessians = hessians;
     is_linearised    = false;
     finest.active    = active;
@@ -179,6 +182,55 @@ namespace StickSlip
                               active,
                               &finest.inverse_diagonal[nodes[k] * dim * dim]);
       }
+    const auto remove_hessians = [&]() {
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        finest.matrix.set_diagonal_block(nodes[k], diagonal[k]);
+    };
+    if (!keep_coarse_levels)
+      try
+        {
+          linearise_coarse_levels();
+          coarse_hessians = hessians;
+        }
+      catch (const SingularCoarseMatrix &)
+        {
+          remove_hessians();
+          throw;
+        }
+    remove_hessians();
+    is_linearised = true;
+  }
+
+
+
+  template <int dim>
+  bool
+  LevelHierarchy<dim>::are_close(const std::vector<Tensor<2, dim>> &a,
+                                 const std::vector<Tensor<2, dim>> &b) const
+  {
+    // A change far below the diagonal of the matrix is none, whatever it is
+    // compared with.
+    constexpr double                 negligible = 1e-2;
+    const Level                     &finest     = levels.back();
+    const std::vector<unsigned int> &nodes = finest.description.nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const double size =
+          b[k].norm() +
+          negligible * finest.matrix.diagonal_block(nodes[k]).norm();
+        // Written so that a NaN is not close.
+        if (!((a[k] - b[k]).norm() <= coarse_update_threshold * size))
+          return false;
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  LevelHierarchy<dim>::linearise_coarse_levels()
+  {
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
         Level &coarse = levels[l - 1];
@@ -193,21 +245,7 @@ namespace StickSlip
                                 coarse.active,
                                 &coarse.inverse_diagonal[i * dim * dim]);
       }
-    const auto remove_hessians = [&]() {
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        finest.matrix.set_diagonal_block(nodes[k], diagonal[k]);
-    };
-    try
-      {
-        coarse_solver.factorize(levels.front().matrix, levels.front().active);
-      }
-    catch (const SingularCoarseMatrix &)
-      {
-        remove_hessians();
-        throw;
-      }
-    remove_hessians();
-    is_linearised = true;
+    coarse_solver.factorize(levels.front().matrix, levels.front().active);
   }
 
 
@@ -368,6 +406,15 @@ namespace StickSlip
   LevelHierarchy<dim>::n_levels() const
   {
     return levels.size();
+  }
+
+
+
+  template <int dim>
+  void
+  LevelHierarchy<dim>::set_coarse_update_threshold(const double threshold)
+  {
+    coarse_update_threshold = threshold;
   }
 
 

@@ -42,6 +42,14 @@ namespace StickSlip
               100,
               "Gauss-Seidel sweeps before and after each coarse grid "
               "correction.");
+    add_number(prm,
+               "Coarse update threshold",
+               coarse_update_threshold,
+               NumberRange().at_least(0),
+               "The coarse levels, which only precondition, are given the "
+               "curvature of the friction anew where it has changed by more "
+               "than this fraction since the last time, without unit; 0: in "
+               "every iteration.");
     add_switch(prm,
                "Print iterations",
                print_iterations,

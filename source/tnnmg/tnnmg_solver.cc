@@ -56,6 +56,7 @@ namespace StickSlip
     , cg_preconditioned(residual)
   {
     hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
+    hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);
   }
 
 

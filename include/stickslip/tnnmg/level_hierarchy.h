@@ -68,7 +68,9 @@ namespace StickSlip
     /**
      * Set H, one block for each nonsmooth node of the finest level, and the
      * components that take part in the linear problem (none of the fixed
-     * ones). Throws SingularCoarseMatrix; the operator A is as before then.
+     * ones). The coarse levels, which only precondition, may keep an earlier H,
+     * see set_coarse_update_threshold(). Throws SingularCoarseMatrix; the
+     * operator A is as before then.
      */
     void
     linearise(const std::vector<Tensor<2, dim>> &hessians,
@@ -106,6 +108,12 @@ namespace StickSlip
     void
     set_smoothing_sweeps(const unsigned int sweeps);
 
+    /** The coarse levels are given H anew where the components that take part
+     * have changed, or any block of H by more than this fraction since the last
+     * time; 0, from the start: always. */
+    void
+    set_coarse_update_threshold(const double threshold);
+
     /** Number of V-cycles since the construction. */
     unsigned long
     n_cycles() const;
@@ -133,6 +141,16 @@ namespace StickSlip
     void
     find_strips();
 
+    /** Whether no block of @p a differs from that of @p b by more than the
+     * threshold. */
+    bool
+    are_close(const std::vector<Tensor<2, dim>> &a,
+              const std::vector<Tensor<2, dim>> &b) const;
+
+    /** Hand the linearisation on the finest level down to all others. */
+    void
+    linearise_coarse_levels();
+
     NodeMask
     coarsen_mask(const unsigned int l, const NodeMask &fine) const;
 
@@ -142,10 +160,11 @@ namespace StickSlip
     std::vector<Level>          levels;
     CoarseSolver<dim>           coarse_solver;
     std::vector<double>         current_coefficients;
-    std::vector<Tensor<2, dim>> current_hessians;
-    bool                        is_linearised = false;
-    unsigned int                sweeps        = 1;
-    unsigned long               cycle_count   = 0;
+    std::vector<Tensor<2, dim>> current_hessians, coarse_hessians;
+    double                      coarse_update_threshold = 0;
+    bool                        is_linearised           = false;
+    unsigned int                sweeps                  = 1;
+    unsigned long               cycle_count             = 0;
   };
 } // namespace StickSlip
 

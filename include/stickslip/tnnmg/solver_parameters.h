@@ -36,6 +36,12 @@ namespace StickSlip
     /** Gauss-Seidel sweeps before and after each coarse grid correction. */
     unsigned int smoothing_sweeps = 1;
 
+    /**
+     * The coarse levels are given the second derivative of the nonsmooth term
+     * anew where it has changed by more than this fraction since the last time.
+     */
+    double coarse_update_threshold = 0.5;
+
     /** Print a line for every iteration. */
     bool print_iterations = false;
 
