@@ -123,9 +123,13 @@ TEST(GalerkinProduct, EqualsTheLibraryProduct)
   const LibraryMatrix A(expand(problem.A, &problem.mask));
   const LibraryMatrix P(expand(problem.P));
   // Patterns large enough for whatever the products fill in.
-  FullMatrix<double> ones(problem.n_fine * dim, problem.n_coarse * dim);
-  ones = 1.;
-  LibraryMatrix AP(ones), PtAP(expand(coarse));
+  const std::vector<double> entries(problem.n_fine * problem.n_coarse * dim *
+                                      dim,
+                                    1.);
+  const FullMatrix<double>  ones(problem.n_fine * dim,
+                                problem.n_coarse * dim,
+                                entries.data());
+  LibraryMatrix             AP(ones), PtAP(expand(coarse));
   A.matrix.mmult(AP.matrix, P.matrix);
   P.matrix.Tmmult(PtAP.matrix, AP.matrix);
 
