@@ -62,6 +62,7 @@ namespace StickSlip
   double
   EmbeddedControl<dim>::estimate_error(
     const SystemState<dim>    &to,
+    const Past                &now,
     const std::vector<double> &predicted_alpha) const
   {
     const FaultNodes<dim> &faults = this->faults;
@@ -88,17 +89,16 @@ namespace StickSlip
     const double c0 = h * h * h / 12.;
     const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
     // Lagrange weights of the quadratic through the last three values.
-    const double        w0   = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
-    const double        w1   = -h * (h + h1 + h2) / (h1 * h2);
-    const double        w2   = h * (h + h1) / ((h1 + h2) * h2);
-    const Past          past = remember(to);
+    const double        w0 = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
+    const double        w1 = -h * (h + h1 + h2) / (h1 * h2);
+    const double        w2 = h * (h + h1) / ((h1 + h2) * h2);
     std::vector<double> friction_error(n);
     for (unsigned int k = 0; k < n; ++k)
       // Friction that a node meets on coming into contact has no past.
       if (history[0].in_contact[k] && history[1].in_contact[k] &&
           history[2].in_contact[k])
         friction_error[k] =
-          (past.friction[k] - w0 * history[0].friction[k] -
+          (now.friction[k] - w0 * history[0].friction[k] -
            w1 * history[1].friction[k] - w2 * history[2].friction[k])
             .norm() *
           faults.relative_normal_stress()[k] /
@@ -140,7 +140,8 @@ namespace StickSlip
             continue;
           }
 
-        const double error = estimate_error(result.state, predicted_alpha);
+        Past         now   = remember(result.state);
+        const double error = estimate_error(result.state, now, predicted_alpha);
         last_error         = error;
         double factor =
           0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
@@ -160,7 +161,7 @@ namespace StickSlip
         if (tau >= this->proposed || factor < 1.)
           this->proposed = this->on_grid(factor * tau);
         just_rejected = false;
-        history.insert(history.begin(), remember(result.state));
+        history.insert(history.begin(), std::move(now));
         history.resize(std::min<std::size_t>(history.size(), 3));
 
         std::vector<StepResult<dim>> accepted;

@@ -62,6 +62,20 @@ namespace StickSlip
 
 
   template <int dim>
+  SolveSummary
+  RateStateStep<dim>::improve(const NodalVector &rhs, NodalVector &w)
+  {
+    if (time_parameters.rate_state_method == RateStateMethod::nested)
+      return solver->solve(faults.friction(), rhs, w);
+    SolveSummary summary;
+    summary.iterations.push_back(solver->iterate(faults.friction(), rhs, w));
+    summary.converged = solver->has_converged(summary.iterations.back());
+    return summary;
+  }
+
+
+
+  template <int dim>
   StepResult<dim>
   RateStateStep<dim>::take(const SystemState<dim> &from,
                            const double            tau,
@@ -93,26 +107,17 @@ namespace StickSlip
         SolveSummary rate;
         try
           {
-            if (nested)
-              {
-                rate = solver->solve(faults.friction(), rhs, w);
-                if (!rate.converged)
-                  result.failure = "the rate problem was not solved within " +
-                                   std::to_string(rate.iterations.size()) +
-                                   " iterations";
-              }
-            else
-              {
-                rate.iterations.push_back(
-                  solver->iterate(faults.friction(), rhs, w));
-                rate.converged = solver->has_converged(rate.iterations.back());
-              }
+            rate = improve(rhs, w);
           }
         catch (const SingularCoarseMatrix &error)
           {
             result.failure = error.what();
             break;
           }
+        if (nested && !rate.converged)
+          result.failure = "the rate problem was not solved within " +
+                           std::to_string(rate.iterations.size()) +
+                           " iterations";
         if (tnnmg_parameters.print_iterations)
           std::cout << rate;
         ++counts.rate_state_iterations;

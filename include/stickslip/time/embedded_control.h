@@ -60,6 +60,7 @@ namespace StickSlip
 
     double
     estimate_error(const SystemState<dim>    &to,
+                   const Past                &now,
                    const std::vector<double> &predicted_alpha) const;
 
     /** The newest first; three at most. */

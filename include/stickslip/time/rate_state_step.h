@@ -61,6 +61,12 @@ namespace StickSlip
     n_steps() const;
 
   private:
+    /** Solve the rate problem at the present state, or, where rate and state
+     * are interleaved, improve its solution by one iteration. Throws
+     * SingularCoarseMatrix. */
+    SolveSummary
+    improve(const NodalVector &rhs, NodalVector &w);
+
     /** The state at the end of the step if the slip rates are those of w. */
     std::vector<double>
     update_state(const SystemState<dim> &from,
