@@ -17,9 +17,8 @@ namespace StickSlip
   template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyGeometry<dim> &geometry,
                           const bool               fault_below,
-                          const bool               fault_above,
-                          const MPI_Comm          &communicator)
-    : mesh(std::make_unique<parallel::shared::Triangulation<dim>>(communicator))
+                          const bool               fault_above)
+    : mesh(std::make_unique<Triangulation<dim>>())
   {
     GridGenerator::subdivided_hyper_rectangle(
       *mesh,
@@ -62,8 +61,7 @@ namespace StickSlip
 
   template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyMesh &finer)
-    : mesh(std::make_unique<parallel::shared::Triangulation<dim>>(
-        finer.mesh->get_communicator()))
+    : mesh(std::make_unique<Triangulation<dim>>())
   {
     mesh->copy_triangulation(*finer.mesh);
     for (const auto &cell : mesh->active_cell_iterators())
@@ -182,7 +180,7 @@ namespace StickSlip
 
 
   template <int dim>
-  const parallel::shared::Triangulation<dim> &
+  const Triangulation<dim> &
   BodyMesh<dim>::triangulation() const
   {
     return *mesh;

@@ -159,8 +159,7 @@ namespace StickSlip
       bodies.push_back(std::make_shared<BodyMesh<dim>>(geometries[i],
                                                        /*fault_below=*/i > 0,
                                                        /*fault_above=*/i + 1 <
-                                                         geometries.size(),
-                                                       communicator));
+                                                         geometries.size()));
     levels.push_back(make_level<dim>(bodies, communicator));
 
     while (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {

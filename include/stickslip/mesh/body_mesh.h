@@ -4,8 +4,8 @@
 #ifndef stickslip_mesh_body_mesh_h
 #define stickslip_mesh_body_mesh_h
 
-#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <stickslip/mesh/body_geometry.h>
@@ -21,7 +21,9 @@ namespace StickSlip
   /**
    * One mesh of one body: the triangulation, the nodal basis of continuous
    * piecewise (multi)linear functions on it, one number a node, and the
-   * constraints of the hanging nodes.
+   * constraints of the hanging nodes. Every process has the whole mesh, with
+   * the same numbers of cells, vertices and degrees of freedom; who owns what
+   * is decided elsewhere, for all bodies together.
    */
   template <int dim>
   class BodyMesh
@@ -33,8 +35,7 @@ namespace StickSlip
      */
     BodyMesh(const BodyGeometry<dim> &geometry,
              const bool               fault_below,
-             const bool               fault_above,
-             const MPI_Comm          &communicator);
+             const bool               fault_above);
 
     /** The mesh in which every cell of @p finer that can be is coarsened. */
     explicit BodyMesh(const BodyMesh &finer);
@@ -63,7 +64,7 @@ namespace StickSlip
     std::pair<double, double>
     cell_diameters() const;
 
-    const parallel::shared::Triangulation<dim> &
+    const Triangulation<dim> &
     triangulation() const;
 
     const DoFHandler<dim> &
@@ -76,9 +77,9 @@ namespace StickSlip
     void
     distribute_dofs();
 
-    std::unique_ptr<parallel::shared::Triangulation<dim>> mesh;
-    std::unique_ptr<DoFHandler<dim>>                      dofs;
-    AffineConstraints<double>                             constraints;
+    std::unique_ptr<Triangulation<dim>> mesh;
+    std::unique_ptr<DoFHandler<dim>>    dofs;
+    AffineConstraints<double>           constraints;
   };
 } // namespace StickSlip
 
