@@ -54,6 +54,91 @@ namespace
       result.push_back(row.second);
     return result;
   }
+
+
+
+  /** Each level is one refinement coarser, until nothing is left to coarsen. */
+  template <int dim>
+  void
+  expect_levels_down_to_the_coarse_cells(
+    const std::vector<BodyGeometry<dim>> &bodies)
+  {
+    const MeshHierarchy<dim> meshes(bodies, MPI_COMM_WORLD);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const BodyMesh<dim> &coarsest = *meshes.level(0).bodies[b];
+        EXPECT_FALSE(coarsest.can_be_coarsened());
+        unsigned int n_coarse_cells = 1;
+        for (const unsigned int n : bodies[b].coarse_cells)
+          n_coarse_cells *= n;
+        EXPECT_EQ(coarsest.triangulation().n_active_cells(), n_coarse_cells);
+
+        const unsigned int n_refinements =
+          bodies[b].uniform_refinements + bodies[b].refinement_passes;
+        for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+          {
+            const unsigned int from_finest = meshes.n_levels() - 1 - l;
+            EXPECT_EQ(meshes.level(l).bodies[b]->triangulation().n_levels(),
+                      1 + n_refinements - std::min(n_refinements, from_finest));
+          }
+      }
+  }
+
+
+
+  /** Halving all cells first gives the mesh of so many more coarse cells. */
+  template <int dim>
+  void
+  expect_mesh_of_more_coarse_cells(
+    const std::vector<BodyGeometry<dim>> &uniformly_refined)
+  {
+    auto of_more_cells = uniformly_refined;
+    for (BodyGeometry<dim> &body : of_more_cells)
+      {
+        for (unsigned int &n : body.coarse_cells)
+          n <<= body.uniform_refinements;
+        body.uniform_refinements = 0;
+      }
+    const MeshHierarchy<dim> ours(uniformly_refined, MPI_COMM_WORLD);
+    const MeshHierarchy<dim> others(of_more_cells, MPI_COMM_WORLD);
+    for (unsigned int b = 0; b < of_more_cells.size(); ++b)
+      {
+        const BodyMesh<dim> &one   = *ours.finest().bodies[b];
+        const BodyMesh<dim> &other = *others.finest().bodies[b];
+        EXPECT_EQ(one.triangulation().n_active_cells(),
+                  other.triangulation().n_active_cells());
+        EXPECT_EQ(one.dof_handler().n_dofs(), other.dof_handler().n_dofs());
+        EXPECT_EQ(one.hanging_nodes().n_constraints(),
+                  other.hanging_nodes().n_constraints());
+        EXPECT_NEAR(one.cell_diameters().first,
+                    other.cell_diameters().first,
+                    1e-12);
+        EXPECT_NEAR(one.cell_diameters().second,
+                    other.cell_diameters().second,
+                    1e-12);
+      }
+  }
+
+
+
+  /** The scenes with all cells halved, with and without passes after that. */
+  template <int dim>
+  std::vector<std::vector<BodyGeometry<dim>>>
+  uniformly_refined_scenes()
+  {
+    std::vector<std::vector<BodyGeometry<dim>>> result;
+    for (const auto &bodies : scenes<dim>())
+      for (const unsigned int times : {1, 2})
+        {
+          result.push_back(halved(bodies, times));
+          // One body refined otherwise than the rest.
+          result.back().front().uniform_refinements = times - 1;
+          result.push_back(halved(bodies, times));
+          for (BodyGeometry<dim> &body : result.back())
+            body.refinement_passes = 0;
+        }
+    return result;
+  }
 } // namespace
 
 
@@ -111,23 +196,30 @@ TEST(MeshCounts, LayeredBodiesAreThePublishedMesh)
 
 TEST(MeshCounts, HierarchiesEndAtTheCoarseMesh)
 {
-  const auto             bodies = layered_bodies();
-  const MeshHierarchy<2> meshes(bodies, MPI_COMM_WORLD);
-  for (unsigned int b = 0; b < bodies.size(); ++b)
-    {
-      const BodyMesh<2> &coarsest = *meshes.level(0).bodies[b];
-      EXPECT_FALSE(coarsest.can_be_coarsened());
-      EXPECT_EQ(coarsest.triangulation().n_active_cells(),
-                bodies[b].coarse_cells[0] * bodies[b].coarse_cells[1]);
-      // Each level is one pass coarser, until nothing is left to coarsen.
-      for (unsigned int l = 0; l < meshes.n_levels(); ++l)
-        {
-          const unsigned int from_finest = meshes.n_levels() - 1 - l;
-          const unsigned int passes      = bodies[b].refinement_passes;
-          EXPECT_EQ(meshes.level(l).bodies[b]->triangulation().n_levels(),
-                    1 + passes - std::min(passes, from_finest));
-        }
-    }
+  for (const auto &bodies : scenes<2>())
+    expect_levels_down_to_the_coarse_cells<2>(bodies);
+  for (const auto &bodies : scenes<3>())
+    expect_levels_down_to_the_coarse_cells<3>(bodies);
+}
+
+
+
+TEST(MeshCounts, UniformRefinementsAreLevelsToo)
+{
+  for (const auto &bodies : uniformly_refined_scenes<2>())
+    expect_levels_down_to_the_coarse_cells<2>(bodies);
+  for (const auto &bodies : uniformly_refined_scenes<3>())
+    expect_levels_down_to_the_coarse_cells<3>(bodies);
+}
+
+
+
+TEST(MeshCounts, UniformRefinementsComeBeforeThePasses)
+{
+  for (const auto &bodies : uniformly_refined_scenes<2>())
+    expect_mesh_of_more_coarse_cells<2>(bodies);
+  for (const auto &bodies : uniformly_refined_scenes<3>())
+    expect_mesh_of_more_coarse_cells<3>(bodies);
 }
 
 

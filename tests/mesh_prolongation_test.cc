@@ -154,11 +154,13 @@ namespace
   for_each_scene(void (*check)(const MeshHierarchy<dim> &))
   {
     for (const auto &bodies : scenes<dim>())
-      {
-        const MeshHierarchy<dim> meshes(bodies, MPI_COMM_WORLD);
-        ASSERT_GT(n_hanging(meshes.finest()), 0u);
-        check(meshes);
-      }
+      for (const unsigned int times : {0, 1})
+        {
+          const MeshHierarchy<dim> meshes(halved(bodies, times),
+                                          MPI_COMM_WORLD);
+          ASSERT_GT(n_hanging(meshes.finest()), 0u);
+          check(meshes);
+        }
   }
 } // namespace
 

@@ -47,6 +47,18 @@ namespace StickSlip
 
 
 
+  /** The bodies with all cells halved so many times before the passes. */
+  template <int dim>
+  std::vector<BodyGeometry<dim>>
+  halved(std::vector<BodyGeometry<dim>> bodies, const unsigned int times)
+  {
+    for (BodyGeometry<dim> &body : bodies)
+      body.uniform_refinements = times;
+    return bodies;
+  }
+
+
+
   /** The two bodies of the published spring slider. */
   inline std::vector<BodyGeometry<2>>
   spring_slider_bodies()

@@ -71,6 +71,13 @@ namespace StickSlip
                 "vertical one last. The solver does best with cells not more "
                 "than twice as long as wide.");
     add_count(prm,
+              "Uniform refinements",
+              uniform_refinements,
+              0,
+              20,
+              "How many times all cells are halved, before the refinement "
+              "passes. Like those, these are levels of the multigrid method.");
+    add_count(prm,
               "Refinement passes",
               refinement_passes,
               0,

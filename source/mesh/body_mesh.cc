@@ -27,6 +27,7 @@ namespace StickSlip
       geometry.lower_corner(),
       geometry.upper_corner(),
       /*colorize=*/true);
+    mesh->refine_global(geometry.uniform_refinements);
 
     const auto touches_a_fault = [&](const auto &cell) {
       for (const auto &vertex : cell->vertex_indices())

@@ -14,9 +14,9 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * A brick-shaped body and its mesh: coarse cells, then passes that each
-   * refine every cell touching a fault. The last axis is vertical; bodies are
-   * stacked along it.
+   * A brick-shaped body and its mesh: coarse cells, refined all over, then
+   * passes that each refine every cell touching a fault. The last axis is
+   * vertical; bodies are stacked along it.
    */
   template <int dim>
   struct BodyGeometry
@@ -33,6 +33,9 @@ namespace StickSlip
 
     /** Coarse cells along each axis. */
     std::array<unsigned int, dim> coarse_cells;
+
+    /** How many times all cells are refined before the passes. */
+    unsigned int uniform_refinements = 0;
 
     /** Number of passes that refine the cells touching a fault. */
     unsigned int refinement_passes = 4;

@@ -30,8 +30,9 @@ namespace StickSlip
   {
   public:
     /**
-     * The mesh of a body: coarse cells, then passes that each refine every
-     * cell touching the lower or the upper side where that is a fault.
+     * The mesh of a body: coarse cells, refined all over, then passes that
+     * each refine every cell touching the lower or the upper side where that
+     * is a fault.
      */
     BodyMesh(const BodyGeometry<dim> &geometry,
              const bool               fault_below,
