@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mesh_cell_partition_h
+#define stickslip_mesh_cell_partition_h
+
+#include <stickslip/mesh/body_mesh.h>
+
+namespace StickSlip
+{
+  /**
+   * The process that owns each active cell of each body: [body][active cell
+   * index]. About as many cells for each of @p n_parts processes, with few
+   * neighbours in different parts, and the cells that face each other across a
+   * fault in the reference configuration in the same one where possible. For
+   * powers of two, parts of neighbouring numbers are neighbours in space. Parts
+   * in excess of the number of cells own nothing.
+   *
+   * @p bodies from bottom to top, every inner side a fault. The result depends
+   * on nothing else, so that each process finds the same without messages.
+   */
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  partition_cells(
+    const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+    const unsigned int                                       n_parts);
+
+  /**
+   * The owner of every vertex of a body's mesh, by vertex index of the
+   * triangulation: the least owner of the active cells that have it as a
+   * vertex; numbers::invalid_unsigned_int for vertices that no active cell
+   * has. @p cell_owners by active cell index.
+   */
+  template <int dim>
+  std::vector<unsigned int>
+  vertex_owners(const BodyMesh<dim>             &body,
+                const std::vector<unsigned int> &cell_owners);
+} // namespace StickSlip
+
+#endif
