@@ -3,7 +3,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/parameters/agreed_failure.h>
 #include <stickslip/parameters/input_error.h>
+#include <stickslip/simulation/agreement.h>
 #include <stickslip/simulation/command_line.h>
 #include <stickslip/simulation/scene_reader.h>
 #include <stickslip/simulation/scene_writer.h>
@@ -12,7 +14,7 @@
 
 #include <chrono>
 #include <iostream>
-#include <sstream>
+#include <memory>
 #include <thread>
 
 namespace
@@ -28,8 +30,9 @@ namespace
   int
   run(const SceneReader &reader)
   {
-    const SceneParameters<dim> scene = reader.read<dim>();
-    Simulation<dim>            simulation(scene, MPI_COMM_WORLD);
+    SceneParameters<dim> scene;
+    carry_out_agreed(MPI_COMM_WORLD, [&]() { scene = reader.read<dim>(); });
+    Simulation<dim> simulation(scene, MPI_COMM_WORLD);
     return simulation.run() ? 0 : interrupted;
   }
 
@@ -54,38 +57,18 @@ namespace
           return 0;
         case CommandLine::Task::run:
           {
-            // The nodes of all levels belong to one process, see make_level().
-            if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-              throw InputError("This version runs on one process only; start "
-                               "it without mpirun.");
-            const SceneReader reader(command_line.parameter_file,
-                                     command_line.overrides);
-            if (reader.dimension() == 2)
-              return run<2>(reader);
-            return run<3>(reader);
+            std::unique_ptr<SceneReader> reader;
+            carry_out_agreed(MPI_COMM_WORLD, [&]() {
+              reader =
+                std::make_unique<SceneReader>(command_line.parameter_file,
+                                              command_line.overrides);
+            });
+            if (reader->dimension() == 2)
+              return run<2>(*reader);
+            return run<3>(*reader);
           }
       }
     return 1;
-  }
-
-
-
-  // The message of an exception on one line, without deal.II's frame of where
-  // it was thrown.
-  std::string
-  sentence(const std::exception &error)
-  {
-    std::stringstream text;
-    if (const auto *const internal =
-          dynamic_cast<const dealii::ExceptionBase *>(&error))
-      internal->print_info(text);
-    else
-      text << error.what();
-
-    std::string line;
-    for (std::string word; text >> word;)
-      line += (line.empty() ? "" : " ") + word;
-    return line.empty() ? "an error without a message" : line;
   }
 } // namespace
 
@@ -107,6 +90,12 @@ main(int argc, char *argv[])
   catch (const InputError &error)
     {
       // All processes read the same input.
+      if (rank == 0)
+        std::cerr << "stickslip: " << error.what() << std::endl;
+      return 1;
+    }
+  catch (const AgreedFailure &error)
+    {
       if (rank == 0)
         std::cerr << "stickslip: " << error.what() << std::endl;
       return 1;

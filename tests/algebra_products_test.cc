@@ -11,7 +11,10 @@
 
 #include <random>
 
+#include "serial_matrices.h"
+
 using namespace StickSlip;
+using namespace StickSlip::Tests;
 
 namespace
 {
@@ -22,17 +25,18 @@ namespace
     std::mt19937                           generator{7};
     std::uniform_real_distribution<double> number{-1., 1.};
     unsigned int                           n_fine = 40, n_coarse = 15;
+    std::vector<GlobalRow>                 rows;
     TransferMatrix                         P;
     BlockMatrix<dim>                       A;
     NodeMask                               mask;
 
     RandomProblem()
     {
-      std::vector<TransferMatrix::Row> rows(n_fine);
+      rows.resize(n_fine);
       for (auto &row : rows)
         for (unsigned int k = 0; k < 3; ++k)
           row.emplace_back(generator() % n_coarse, number(generator));
-      P = TransferMatrix(rows, n_coarse);
+      P = serial_matrix(rows, n_coarse, dim);
 
       std::vector<std::vector<unsigned int>> couplings(n_fine);
       for (auto &row : couplings)
@@ -47,6 +51,15 @@ namespace
       mask.mask(3, 1);
       mask.mask_node(7);
       mask.mask(20, 0);
+    }
+
+    GalerkinProduct<dim>
+    product() const
+    {
+      return GalerkinProduct<dim>(serial_nodes(n_fine, dim),
+                                  A.sparsity(),
+                                  rows,
+                                  complete_index_set(n_coarse));
     }
   };
 
@@ -116,7 +129,7 @@ namespace
 TEST(GalerkinProduct, EqualsTheLibraryProduct)
 {
   RandomProblem        problem;
-  GalerkinProduct<dim> product(problem.P, problem.A.sparsity());
+  GalerkinProduct<dim> product = problem.product();
   BlockMatrix<dim>     coarse(product.coarse_sparsity());
   product.compute(problem.A, problem.mask, coarse);
 
@@ -149,12 +162,16 @@ TEST(GalerkinProduct, EqualsTheLibraryProduct)
 TEST(GalerkinProduct, SomeRowsEqualThoseOfTheWhole)
 {
   RandomProblem        problem;
-  GalerkinProduct<dim> product(problem.P, problem.A.sparsity());
+  GalerkinProduct<dim> product = problem.product();
   BlockMatrix<dim>     whole(product.coarse_sparsity());
   BlockMatrix<dim>     partial(product.coarse_sparsity());
   product.compute(problem.A, problem.mask, whole);
   const std::vector<unsigned int> rows = {0, 4, 11};
-  product.compute_rows(problem.A, problem.mask, rows, partial);
+  std::vector<bool>               is_selected(problem.n_coarse, false);
+  for (const unsigned int row : rows)
+    is_selected[row] = true;
+  product.select_rows(is_selected);
+  product.compute_selected_rows(problem.A, problem.mask, partial);
   const BlockSparsity &sparsity = *product.coarse_sparsity();
   for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
     {
@@ -173,14 +190,9 @@ TEST(GalerkinProduct, SomeRowsEqualThoseOfTheWhole)
 TEST(TransferMatrix, ProlongationAndRestrictionAreAdjoint)
 {
   RandomProblem problem;
-  const auto    partition = [](const unsigned int n) {
-    return NodePartition(complete_index_set(n),
-                         IndexSet(n),
-                         dim,
-                         MPI_COMM_SELF);
-  };
-  NodalVector fine = partition(problem.n_fine).make_vector(), image = fine;
-  NodalVector coarse = partition(problem.n_coarse).make_vector(), dual = coarse;
+  NodalVector   fine   = serial_nodes(problem.n_fine, dim).make_vector();
+  NodalVector   coarse = serial_nodes(problem.n_coarse, dim).make_vector();
+  NodalVector   image = fine, dual = coarse;
   for (double &value : fine)
     value = problem.number(problem.generator);
   for (double &value : coarse)

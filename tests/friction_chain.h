@@ -12,21 +12,11 @@
 
 #include "coulomb_functional.h"
 #include "dense_minimisation.h"
+#include "serial_matrices.h"
 
 namespace StickSlip::Tests
 {
   using Kind = Reference::Term::Kind;
-
-  inline NodePartition
-  serial_nodes(const unsigned int n, const unsigned int components)
-  {
-    return NodePartition(complete_index_set(n),
-                         IndexSet(n),
-                         components,
-                         MPI_COMM_WORLD);
-  }
-
-
 
   /**
    * A functional on the given nodes, and what a reference needs of it. The
@@ -118,12 +108,7 @@ namespace StickSlip::Tests
       std::mt19937                     engine(7);
       std::normal_distribution<double> normal;
 
-      std::vector<std::vector<unsigned int>> rows(n_nodes);
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        for (const int j : {int(i) - 1, int(i) + 1})
-          if (j >= 0 && j < int(n_nodes))
-            rows[i].push_back(j);
-      const auto       sparsity = std::make_shared<const BlockSparsity>(rows);
+      const auto       sparsity = chain_sparsity(n_nodes);
       BlockMatrix<dim> A(sparsity);
       const auto       add = [&](const unsigned int    i,
                            const unsigned int    j,
@@ -165,10 +150,21 @@ namespace StickSlip::Tests
         kind, nodes, std::vector<double>(nodes.size(), 0.1), 5e4, alpha);
     }
 
-    static std::vector<LevelDescription>
+    static std::shared_ptr<const BlockSparsity>
+    chain_sparsity(const unsigned int n)
+    {
+      std::vector<std::vector<unsigned int>> rows(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (const int j : {int(i) - 1, int(i) + 1})
+          if (j >= 0 && j < int(n))
+            rows[i].push_back(j);
+      return std::make_shared<const BlockSparsity>(rows);
+    }
+
+    static std::vector<LevelDescription<dim>>
     descriptions()
     {
-      std::vector<LevelDescription> levels(3);
+      std::vector<LevelDescription<dim>> levels(3);
       for (unsigned int l = 0; l < 3; ++l)
         {
           const unsigned int n = (4u << l) + 1, n_friction = (2u << l) + 1;
@@ -179,13 +175,19 @@ namespace StickSlip::Tests
             levels[l].nonsmooth_nodes.push_back(i);
           if (l == 0)
             continue;
-          std::vector<TransferMatrix::Row> rows(n);
+          std::vector<GlobalRow> rows(n);
           for (unsigned int i = 0; i < n; ++i)
             if (i % 2 == 0)
               rows[i] = {{i / 2, 1.}};
             else
               rows[i] = {{i / 2, 0.5}, {i / 2 + 1, 0.5}};
-          levels[l].prolongation = TransferMatrix(rows, (n + 1) / 2);
+          // The coarse nodes make a chain again.
+          levels[l].to_coarser =
+            std::make_shared<GalerkinProduct<dim>>(levels[l].nodes,
+                                                   *chain_sparsity(n),
+                                                   rows,
+                                                   complete_index_set((n + 1) /
+                                                                      2));
         }
       for (unsigned int i = 1; i < 9; i += 2)
         levels[2].fixed.mask(i, dim - 1);

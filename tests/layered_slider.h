@@ -30,10 +30,13 @@ namespace StickSlip::Tests
 
     LayeredSlider(const std::array<unsigned int, 2> &lower_cells,
                   const std::array<unsigned int, 2> &upper_cells,
-                  const unsigned int                 refinement_passes)
+                  const unsigned int                 refinement_passes,
+                  const MPI_Comm     communicator          = MPI_COMM_WORLD,
+                  const unsigned int min_nodes_per_process = 500)
       : meshes({body(first_body_base, lower_cells, refinement_passes),
                 body(first_body_base + 1., upper_cells, refinement_passes)},
-               MPI_COMM_WORLD)
+               communicator,
+               min_nodes_per_process)
       , boundary(meshes, conditions(), {"lower", "upper"})
       , problem(meshes, {Material(), Material()}, boundary, 0.)
     {}
@@ -49,16 +52,17 @@ namespace StickSlip::Tests
     {
       SystemState<2> state;
       state.time          = 10.;
-      state.velocity      = problem.make_vector();
-      state.acceleration  = problem.make_vector();
+      state.velocity      = problem.make_nodal_vector();
+      state.acceleration  = problem.make_nodal_vector();
+      state.displacement  = problem.make_nodal_vector();
       NodalVector  w      = problem.make_vector();
       const double strain = traction / Material().shear_modulus();
       for_each_node([&](const unsigned int node, const Point<2> &x) {
-        w.local_element(2 * node) = strain * (x[1] - first_body_base);
+        state.displacement.local_element(2 * node) =
+          strain * (x[1] - first_body_base);
         state.velocity.local_element(2 * node) =
           loading_rate * (x[1] - first_body_base) / 2.;
       });
-      state.displacement = w;
       problem.to_jumps(w, state.displacement);
 
       // Uniform shear pulls at the free sides; a V-cycle halves the error.
@@ -101,24 +105,23 @@ namespace StickSlip::Tests
       const Kind                                                 kind,
       const std::function<double(const double, const unsigned)> &alpha) const
     {
-      const FaultContact<2> &contact = problem.jump_basis().faults()[0];
-      std::vector<double>    weights, states;
-      for (const unsigned int node : problem.jump_basis().contact_nodes())
+      const FaultContact<2>     &contact = problem.jump_basis().faults()[0];
+      const LevelDescription<2> &finest  = problem.hierarchy().finest();
+      std::vector<double>        weights, states;
+      for (const unsigned int node : finest.nonsmooth_nodes)
         {
           const unsigned int k = std::find(contact.slave_nodes.begin(),
                                            contact.slave_nodes.end(),
-                                           node) -
+                                           finest.nodes.global_index(node)) -
                                  contact.slave_nodes.begin();
           weights.push_back(contact.coupling.weight[k]);
           states.push_back(alpha(contact.slave_surface.points[k][0], k));
         }
-      return make_friction<2>(kind,
-                              problem.jump_basis().contact_nodes(),
-                              weights,
-                              normal_stress,
-                              states);
+      return make_friction<2>(
+        kind, finest.nonsmooth_nodes, weights, normal_stress, states);
     }
 
+    /** The owned ones. */
     void
     for_each_node(const std::function<void(const unsigned int,
                                            const Point<2> &)> &action) const
@@ -129,7 +132,8 @@ namespace StickSlip::Tests
           const std::vector<Point<2>> points =
             level.bodies[b]->node_positions();
           for (unsigned int i = 0; i < points.size(); ++i)
-            action(level.node(b, i), points[i]);
+            if (level.nodes.owned().is_element(level.global_node(b, i)))
+              action(level.node(b, i), points[i]);
         }
     }
 

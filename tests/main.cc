@@ -5,10 +5,37 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+
+namespace
+{
+  // The first process tells how the tests go, the others only what fails.
+  class FailurePrinter : public ::testing::EmptyTestEventListener
+  {
+    void
+    OnTestPartResult(const ::testing::TestPartResult &result) override
+    {
+      if (result.failed())
+        std::cout << "On process "
+                  << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
+                  << ", " << result.file_name() << ':' << result.line_number()
+                  << ": " << result.message() << std::endl;
+    }
+  };
+} // namespace
+
+
+
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   ::testing::InitGoogleTest(&argc, argv);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+    {
+      auto &listeners = ::testing::UnitTest::GetInstance()->listeners();
+      delete listeners.Release(listeners.default_result_printer());
+      listeners.Append(new FailurePrinter);
+    }
   return RUN_ALL_TESTS();
 }

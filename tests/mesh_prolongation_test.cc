@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "serial_matrices.h"
 #include "stacked_bodies.h"
 
 using namespace StickSlip;
+using namespace StickSlip::Tests;
 
 namespace
 {
@@ -52,7 +54,7 @@ namespace
                           coarse.local_element(node * dim) = 1e6;
                       });
         NodalVector fine = meshes.level(l).nodes.make_vector();
-        meshes.prolongation(l).prolongate(fine, coarse, dim);
+        prolongation_matrix(meshes, l).prolongate(fine, coarse, dim);
         // At hanging nodes both are zero.
         fine -= interpolate(meshes.level(l), function);
         EXPECT_LT(fine.linfty_norm(), 1e-13) << "on level " << l;
@@ -73,7 +75,7 @@ namespace
         const MeshLevel<dim> &level  = meshes.level(l - 1);
         NodalVector           coarse = random_values(level, random);
         NodalVector           fine   = meshes.level(l).nodes.make_vector();
-        meshes.prolongation(l).prolongate(fine, coarse, dim);
+        prolongation_matrix(meshes, l).prolongate(fine, coarse, dim);
         fill_hanging_nodes(level, coarse);
 
         std::vector<Vector<double>> of_body;
@@ -113,7 +115,7 @@ namespace
   {
     for (unsigned int l = 1; l < meshes.n_levels(); ++l)
       {
-        const TransferMatrix &P = meshes.prolongation(l);
+        const TransferMatrix P = prolongation_matrix(meshes, l);
         ASSERT_EQ(P.n_rows(), meshes.level(l).nodes.n_local());
         ASSERT_EQ(P.n_columns(), meshes.level(l - 1).nodes.n_local());
         for_each_node(meshes.level(l),

@@ -257,7 +257,18 @@ TEST(Interrupt, NotesASignalAndGivesTheHandlersBack)
 
 
 
-TEST(Interrupt, ASecondSignalEndsTheProgram)
+TEST(Interrupt, ASecondSignalRightAfterTheFirstIsTheSame)
+{
+  const Interrupt interrupt;
+  std::raise(SIGINT);
+  std::raise(SIGTERM);
+  std::raise(SIGINT);
+  EXPECT_TRUE(interrupt.is_requested());
+}
+
+
+
+TEST(Interrupt, ASecondSignalLaterEndsTheProgram)
 {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
@@ -265,6 +276,7 @@ TEST(Interrupt, ASecondSignalEndsTheProgram)
     {
       const Interrupt interrupt;
       std::raise(SIGINT);
+      sleep(4);
       if (interrupt.is_requested())
         std::raise(SIGINT);
       _exit(0);

@@ -52,22 +52,6 @@ TEST(Program, ReportsAMissingFile)
 
 
 
-TEST(Program, RefusesSeveralProcesses)
-{
-  const TemporaryFolder folder;
-  folder.write("scene.prm", two_bodies);
-  const Outcome outcome =
-    run_command(folder,
-                program("mpirun -q --oversubscribe -np 2") + " scene.prm");
-  EXPECT_EQ(outcome.exit_status, 1);
-  EXPECT_NE(outcome.errors.find("stickslip: This version runs on one process"),
-            std::string::npos)
-    << outcome.errors;
-  EXPECT_FALSE(std::filesystem::exists(folder.file("output")));
-}
-
-
-
 TEST(Program, TellsItsVersion)
 {
   const TemporaryFolder folder;

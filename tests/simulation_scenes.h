@@ -60,14 +60,15 @@ namespace StickSlip::Tests
     /** The fault when the mean slip rate was largest. */
     FaultSnapshot<2> fastest;
 
-    explicit RunHistory(const SceneParameters<2> &scene)
+    explicit RunHistory(const SceneParameters<2> &scene,
+                        const MPI_Comm            communicator = MPI_COMM_WORLD)
     {
       const TemporaryFolder folder;
       EventCatalogue<2>     catalogue(folder.file("events.csv"),
                                   {"fault"},
                                   event_start_slip_rate(scene),
                                   scene.output.event_end_fraction);
-      Simulation<2>         simulation(scene, MPI_COMM_WORLD);
+      Simulation<2>         simulation(scene, communicator);
       simulation.set_up();
       catalogue.add(0., snapshots(simulation));
       double largest = 0, time = 0;

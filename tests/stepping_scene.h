@@ -47,6 +47,7 @@ namespace StickSlip::Tests
         solve_initial_equilibrium(problem);
       unsigned int n_in_tension = 0;
       faults                    = FaultNodes<2>(problem.jump_basis(),
+                             problem.hierarchy().finest().nodes,
                              make_fault_laws(scene),
                              make_normal_stress(scene,
                                                 problem.jump_basis(),

@@ -47,8 +47,10 @@ namespace StickSlip
     SpatialScene(const std::vector<BodyGeometry<dim>>      &bodies,
                  const std::vector<BoundaryCondition<dim>> &conditions,
                  const std::vector<Material>               &materials,
-                 const double                               gravity)
-      : meshes(bodies, MPI_COMM_WORLD)
+                 const double                               gravity,
+                 const MPI_Comm     communicator          = MPI_COMM_WORLD,
+                 const unsigned int min_nodes_per_process = 500)
+      : meshes(bodies, communicator, min_nodes_per_process)
       , materials(materials)
       , boundary(meshes, conditions, names(bodies.size()))
       , problem(meshes, materials, boundary, gravity)

@@ -6,6 +6,7 @@
 
 #include "layered_slider.h"
 #include "nan_in_debug_mode.h"
+#include "serial_matrices.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -16,7 +17,7 @@ namespace
   constexpr unsigned int                passes[] = {2, 3, 4, 5};
 
   NodalVector
-  random_vector(const LevelDescription &level, const NodeMask &active)
+  random_vector(const LevelDescription<2> &level, const NodeMask &active)
   {
     static std::mt19937              engine(11);
     std::normal_distribution<double> normal;
@@ -40,7 +41,7 @@ namespace
 
   /** Each tangential jump is truncated with this probability. */
   NodeMask
-  truncation(const LevelDescription &finest, const double probability)
+  truncation(const LevelDescription<2> &finest, const double probability)
   {
     static std::mt19937         engine(5);
     std::bernoulli_distribution is_truncated(probability);
@@ -94,21 +95,18 @@ namespace
   /** The levels of a slider, described anew, with what is truncated on the
    * finest level handed down: a coarse jump is dropped if all fine jumps in its
    * reach are. */
-  std::vector<LevelDescription>
+  std::vector<LevelDescription<2>>
   describe_levels(LayeredSlider &slider, const NodeMask &active)
   {
     const unsigned int n_levels = slider.meshes.n_levels();
     const FaultSides   sides    = slider.problem.jump_basis().faults()[0].sides;
-    std::vector<LevelDescription> levels(n_levels);
-    std::vector<JumpBasis<2>>     bases;
+    std::vector<LevelDescription<2>> levels(n_levels);
+    std::vector<JumpBasis<2>>        bases;
     for (unsigned int l = 0; l < n_levels; ++l)
       {
         const MeshLevel<2> &mesh      = slider.meshes.level(l);
         const NodeMask      dirichlet = slider.boundary.dirichlet_mask(l);
-        bases.emplace_back(mesh,
-                           std::vector<FaultSides>{sides},
-                           mesh.nodes.make_vector(),
-                           dirichlet);
+        bases.push_back(undeformed_basis(mesh, {sides}, dirichlet));
         levels[l].nodes           = mesh.nodes;
         levels[l].nonsmooth_nodes = bases[l].contact_nodes();
         levels[l].fixed           = dirichlet;
@@ -117,18 +115,24 @@ namespace
             levels[l].fixed.mask_node(mesh.node(b, line.index));
         for (const unsigned int p : levels[l].nonsmooth_nodes)
           levels[l].fixed.mask(p, 1);
-        if (l > 0)
-          levels[l].prolongation =
-            jump_prolongation(bases[l - 1],
-                              bases[l],
-                              slider.meshes.prolongation(l));
+      }
+    const BlockSparsity *sparsity =
+      &slider.problem.hierarchy().matrix().sparsity();
+    for (unsigned int l = n_levels - 1; l > 0; --l)
+      {
+        levels[l].to_coarser = std::make_shared<GalerkinProduct<2>>(
+          levels[l].nodes,
+          *sparsity,
+          jump_prolongation_rows(bases[l - 1], bases[l], slider.meshes, l),
+          levels[l - 1].nodes.owned());
+        sparsity = levels[l].to_coarser->coarse_sparsity().get();
       }
 
     levels.back().fixed = active;
     for (unsigned int l = n_levels - 1; l > 0; --l)
       {
         std::vector<bool> reaches_active(levels[l - 1].fixed.n_nodes(), false);
-        const auto       &P = levels[l].prolongation.matrix();
+        const auto       &P = levels[l].to_coarser->prolongation().matrix();
         for (const unsigned int i : levels[l].nonsmooth_nodes)
           for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
             if (levels[l].fixed.is_active(i, 0))
@@ -152,6 +156,8 @@ TEST(Multigrid, CycleIsSymmetric)
     for (const double probability : {0., 0.5, 1.})
       {
         hierarchy.set_smoothing_sweeps(sweeps);
+        hierarchy.set_coarse_solver(sweeps == 1 ? CoarseSolverType::direct :
+                                                  CoarseSolverType::amg);
         const NodeMask active = truncation(hierarchy.finest(), probability);
         std::vector<Tensor<2, 2>> H(hierarchy.finest().nonsmooth_nodes.size());
         for (unsigned int k = 0; k < H.size(); ++k)
@@ -415,4 +421,36 @@ TEST(TNNMG, CoarseLevelsMayLagBehind)
           EXPECT_LT(w.linfty_norm(), 1e-9 * reference.linfty_norm());
         }
     }
+}
+
+
+
+TEST(TNNMG, CoarsestLevelMayBeSolvedByAMG)
+{
+  // 2,142 nodes on the coarsest level: MUMPS factorises it.
+  LayeredSlider   slider({{60, 12}}, {{84, 16}}, 2);
+  TNNMGParameters parameters;
+  parameters.tolerance = 1e-11;
+  const NodalVector b  = slider.set_step(1e-1, 0.6 * 4.9e4);
+  const Friction<2> friction =
+    slider.friction(Kind::truncated,
+                    [](const double x, const unsigned) { return x; });
+  NodalVector  solution[2];
+  unsigned int n_iterations[2];
+  for (const unsigned int i : {0, 1})
+    {
+      parameters.coarse_solver =
+        (i == 0 ? CoarseSolverType::direct : CoarseSolverType::amg);
+      TNNMGSolver<2> solver(slider.problem.hierarchy(), parameters);
+      solution[i] = slider.start();
+      const SolveSummary summary =
+        solver.solve(*friction.functional, b, solution[i]);
+      EXPECT_TRUE(summary.converged);
+      n_iterations[i] = summary.iterations.size();
+    }
+  EXPECT_LE(n_iterations[1], n_iterations[0] + 3);
+  const double size = solution[0].linfty_norm();
+  EXPECT_GT(size, 0.);
+  solution[0] -= solution[1];
+  EXPECT_LT(solution[0].linfty_norm(), 1e-8 * size);
 }

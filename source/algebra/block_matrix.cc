@@ -177,6 +177,7 @@ namespace StickSlip
   void
   BlockMatrix<dim>::vmult(NodalVector &y, const NodalVector &x) const
   {
+    update_ghosts(x);
     Kernels::vmult<dim>(rows(), 0, n_rows(), x.begin(), y.begin());
   }
 
@@ -188,6 +189,7 @@ namespace StickSlip
                              const NodalVector &b,
                              const NodalVector &x) const
   {
+    update_ghosts(x);
     Kernels::residual<dim>(
       rows(), 0, n_rows(), b.begin(), x.begin(), r.begin());
   }

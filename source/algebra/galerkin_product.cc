@@ -1,47 +1,188 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/algebra/galerkin_product.h>
+#include <stickslip/algebra/index_set.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace StickSlip
 {
-  template <int dim>
-  GalerkinProduct<dim>::GalerkinProduct(const TransferMatrix &transfer,
-                                        const BlockSparsity  &fine)
-    : transfer(&transfer)
-    , row_position(fine.n_rows(), -1)
-    , coarse_position(transfer.n_columns())
+  namespace
   {
-    const auto &P  = transfer.matrix();
-    const auto &Pt = transfer.transpose();
+    /**
+     * The sparsity of P^T A P as far as this process contributes: a list of
+     * columns for each local coarse node.
+     */
+    std::vector<std::vector<unsigned int>>
+    symbolic_product(const BlockSparsity &A, const TransferMatrix &transfer)
+    {
+      const auto &P  = transfer.matrix();
+      const auto &Pt = transfer.transpose();
 
-    std::vector<std::vector<unsigned int>> rows(transfer.n_columns());
-    std::vector<unsigned int>              last_fine(fine.n_rows(),
-                                        numbers::invalid_unsigned_int);
-    std::vector<unsigned int>              last_coarse(transfer.n_columns(),
+      std::vector<std::vector<unsigned int>> rows(transfer.n_columns());
+      std::vector<unsigned int>              last_fine(transfer.n_rows(),
                                           numbers::invalid_unsigned_int);
-    for (unsigned int I = 0; I < rows.size(); ++I)
-      for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
-        {
-          const unsigned int i = Pt.column[k];
-          for (unsigned int m = fine.row_start[i]; m < fine.row_start[i + 1];
-               ++m)
+      std::vector<unsigned int>              last_coarse(transfer.n_columns(),
+                                            numbers::invalid_unsigned_int);
+      for (unsigned int I = 0; I < rows.size(); ++I)
+        for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
+          {
+            const unsigned int i = Pt.column[k];
+            for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
+              {
+                const unsigned int j = A.column[m];
+                if (last_fine[j] == I)
+                  continue;
+                last_fine[j] = I;
+                for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1];
+                     ++q)
+                  if (last_coarse[P.column[q]] != I)
+                    {
+                      last_coarse[P.column[q]] = I;
+                      rows[I].push_back(P.column[q]);
+                    }
+              }
+          }
+      return rows;
+    }
+
+
+
+    /**
+     * The rows of ghost nodes as lists of global numbers, each after the
+     * number of the node, sent to the owners; returns what is received.
+     */
+    std::vector<std::vector<types::global_dof_index>>
+    send_to_owners(const NodePartition                          &nodes,
+                   const std::vector<std::vector<unsigned int>> &rows)
+    {
+      using Rows = std::vector<std::vector<types::global_dof_index>>;
+      std::map<unsigned int, Rows> to_send;
+      unsigned int                 local = nodes.n_owned();
+      for (const auto &[rank, n_ghosts] : nodes.nodes()->ghost_targets())
+        for (const unsigned int end = local + n_ghosts; local < end; ++local)
+          if (!rows[local].empty())
             {
-              const unsigned int j = fine.column[m];
-              if (last_fine[j] == I)
-                continue;
-              last_fine[j] = I;
-              for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1]; ++q)
-                if (last_coarse[P.column[q]] != I)
-                  {
-                    last_coarse[P.column[q]] = I;
-                    rows[I].push_back(P.column[q]);
-                  }
+              to_send[rank].push_back({nodes.global_index(local)});
+              for (const unsigned int column : rows[local])
+                to_send[rank].back().push_back(nodes.global_index(column));
             }
-        }
+      Rows result;
+      for (auto &[rank, received] :
+           Utilities::MPI::some_to_some(nodes.communicator(), to_send))
+        std::move(received.begin(), received.end(), std::back_inserter(result));
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  GalerkinProduct<dim>::GalerkinProduct(
+    const NodePartition          &fine_nodes,
+    const BlockSparsity          &fine,
+    const std::vector<GlobalRow> &prolongation,
+    const IndexSet               &owned_coarse)
+    : row_position(fine_nodes.n_local(), -1)
+  {
+    AssertDimension(prolongation.size(), fine_nodes.n_local());
+    const MPI_Comm communicator = fine_nodes.communicator();
+    std::vector<types::global_dof_index> ghosts;
+    for (const GlobalRow &row : prolongation)
+      for (const auto &entry : row)
+        if (!owned_coarse.is_element(entry.first))
+          ghosts.push_back(entry.first);
+    nodes    = NodePartition(owned_coarse,
+                          make_index_set(owned_coarse.size(), ghosts),
+                          dim,
+                          communicator);
+    transfer = TransferMatrix(prolongation, fine_nodes, nodes);
+    std::vector<std::vector<unsigned int>> rows =
+      symbolic_product(fine, transfer);
+
+    // Other processes may contribute columns that are not known here.
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      {
+        const auto received = send_to_owners(nodes, rows);
+        for (const auto &row : received)
+          for (const types::global_dof_index column : row)
+            if (!owned_coarse.is_element(column))
+              ghosts.push_back(column);
+        const NodePartition provisional = nodes;
+        nodes                           = NodePartition(owned_coarse,
+                              make_index_set(owned_coarse.size(), ghosts),
+                              dim,
+                              communicator);
+        transfer = TransferMatrix(prolongation, fine_nodes, nodes);
+        std::vector<std::vector<unsigned int>> renumbered(nodes.n_local());
+        for (unsigned int I = 0; I < rows.size(); ++I)
+          for (const unsigned int J : rows[I])
+            renumbered[nodes.local_index(provisional.global_index(I))]
+              .push_back(nodes.local_index(provisional.global_index(J)));
+        for (const auto &row : received)
+          for (unsigned int k = 1; k < row.size(); ++k)
+            renumbered[nodes.local_index(row[0])].push_back(
+              nodes.local_index(row[k]));
+        rows = std::move(renumbered);
+      }
+
+    for (unsigned int I = nodes.n_owned(); I < rows.size(); ++I)
+      {
+        ghost_sparsity.column.insert(ghost_sparsity.column.end(),
+                                     rows[I].begin(),
+                                     rows[I].end());
+        ghost_sparsity.row_start.push_back(ghost_sparsity.column.size());
+      }
+    ghost_values.resize(std::size_t(ghost_sparsity.column.size()) * dim * dim);
+    rows.resize(nodes.n_owned());
     sparsity = std::make_shared<const BlockSparsity>(std::move(rows));
+    coarse_position.resize(nodes.n_local());
+    all = make_rows(std::vector<bool>(nodes.n_local(), true));
+  }
+
+
+
+  template <int dim>
+  typename GalerkinProduct<dim>::Rows
+  GalerkinProduct<dim>::make_rows(const std::vector<bool> &is_selected) const
+  {
+    AssertDimension(is_selected.size(), nodes.n_local());
+    Rows rows;
+    for (unsigned int I = 0; I < nodes.n_owned(); ++I)
+      if (is_selected[I])
+        rows.owned.push_back(I);
+    for (unsigned int I = nodes.n_owned(); I < nodes.n_local(); ++I)
+      if (is_selected[I])
+        rows.ghosts.push_back(I);
+    rows.exchange =
+      RowExchange(nodes,
+                  *sparsity,
+                  ghost_sparsity,
+                  {is_selected.begin() + nodes.n_owned(), is_selected.end()});
+    return rows;
+  }
+
+
+
+  template <int dim>
+  const NodePartition &
+  GalerkinProduct<dim>::coarse_nodes() const
+  {
+    return nodes;
+  }
+
+
+
+  template <int dim>
+  const TransferMatrix &
+  GalerkinProduct<dim>::prolongation() const
+  {
+    return transfer;
   }
 
 
@@ -61,22 +202,58 @@ namespace StickSlip
                                 const NodeMask         &fine_mask,
                                 BlockMatrix<dim>       &coarse)
   {
-    for (unsigned int I = 0; I < sparsity->n_rows(); ++I)
-      compute_row(fine, fine_mask, I, coarse);
+    compute(fine, fine_mask, all, coarse);
   }
 
 
 
   template <int dim>
   void
-  GalerkinProduct<dim>::compute_rows(
-    const BlockMatrix<dim>          &fine,
-    const NodeMask                  &fine_mask,
-    const std::vector<unsigned int> &coarse_rows,
-    BlockMatrix<dim>                &coarse)
+  GalerkinProduct<dim>::select_rows(const std::vector<bool> &is_selected)
   {
-    for (const unsigned int I : coarse_rows)
-      compute_row(fine, fine_mask, I, coarse);
+    selected = make_rows(is_selected);
+  }
+
+
+
+  template <int dim>
+  void
+  GalerkinProduct<dim>::compute_selected_rows(const BlockMatrix<dim> &fine,
+                                              const NodeMask         &fine_mask,
+                                              BlockMatrix<dim>       &coarse)
+  {
+    compute(fine, fine_mask, selected, coarse);
+  }
+
+
+
+  template <int dim>
+  void
+  GalerkinProduct<dim>::compute(const BlockMatrix<dim> &fine,
+                                const NodeMask         &fine_mask,
+                                const Rows             &rows,
+                                BlockMatrix<dim>       &coarse)
+  {
+    for (const unsigned int I : rows.owned)
+      compute_row(fine, fine_mask, I, *sparsity, I, coarse.values().data());
+    for (const unsigned int I : rows.ghosts)
+      compute_row(fine,
+                  fine_mask,
+                  I,
+                  ghost_sparsity,
+                  I - nodes.n_owned(),
+                  ghost_values.data());
+    rows.exchange.add_to_owners(ghost_values, coarse.values(), dim * dim);
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  GalerkinProduct<dim>::memory_consumption() const
+  {
+    return transfer.memory_consumption() + ghost_sparsity.memory_consumption() +
+           sizeof(double) * ghost_values.size();
   }
 
 
@@ -86,11 +263,13 @@ namespace StickSlip
   GalerkinProduct<dim>::compute_row(const BlockMatrix<dim> &fine,
                                     const NodeMask         &fine_mask,
                                     const unsigned int      I,
-                                    BlockMatrix<dim>       &coarse)
+                                    const BlockSparsity    &target,
+                                    const unsigned int      target_row,
+                                    double                 *values)
   {
     constexpr unsigned int n  = dim * dim;
-    const auto            &P  = transfer->matrix();
-    const auto            &Pt = transfer->transpose();
+    const auto            &P  = transfer.matrix();
+    const auto            &Pt = transfer.transpose();
     const BlockSparsity   &A  = fine.sparsity();
 
     // The row P_I^T A over fine columns ...
@@ -120,12 +299,12 @@ namespace StickSlip
       }
 
     // ... times P.
-    for (unsigned int K = sparsity->row_start[I];
-         K < sparsity->row_start[I + 1];
+    for (unsigned int K = target.row_start[target_row];
+         K < target.row_start[target_row + 1];
          ++K)
       {
-        coarse_position[sparsity->column[K]] = K;
-        std::fill_n(coarse.block(K), n, 0.);
+        coarse_position[target.column[K]] = K;
+        std::fill_n(values + std::size_t(K) * n, n, 0.);
       }
     for (unsigned int m = 0; m < row_columns.size(); ++m)
       {
@@ -139,7 +318,8 @@ namespace StickSlip
                 sum[c * dim + d] = 0.;
         for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1]; ++q)
           {
-            double *entry = coarse.block(coarse_position[P.column[q]]);
+            double *entry =
+              values + std::size_t(coarse_position[P.column[q]]) * n;
             for (unsigned int c = 0; c < n; ++c)
               entry[c] += P.value[q] * sum[c];
           }

@@ -3,6 +3,8 @@
 
 #include <stickslip/algebra/node_mask.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   NodeMask::NodeMask(const unsigned int n_nodes, const unsigned int components)
@@ -58,13 +60,58 @@ namespace StickSlip
 
 
   unsigned int
-  NodeMask::n_masked() const
+  NodeMask::n_masked(const unsigned int n) const
   {
     unsigned int count = 0;
     for (const unsigned int node : restricted)
       for (unsigned int c = 0; c < components; ++c)
-        count += !is_active(node, c);
+        count += (node < n && !is_active(node, c));
     return count;
+  }
+
+
+
+  NodeMask
+  NodeMask::local_part(const NodePartition &nodes) const
+  {
+    NodeMask result(nodes.n_local(), components);
+    for (unsigned int i = 0; i < nodes.n_local(); ++i)
+      for (unsigned int c = 0; c < components; ++c)
+        if (!is_active(nodes.global_index(i), c))
+          result.mask(i, c);
+    return result;
+  }
+
+
+
+  void
+  NodeMask::update_ghosts(const NodePartition &nodes)
+  {
+    AssertDimension(active.size(), nodes.n_local());
+    if (nodes.nodes()->n_mpi_processes() == 1)
+      return;
+    const unsigned int n_owned = nodes.n_owned();
+    NodalVector        masked  = nodes.make_vector();
+    for (const unsigned int node : restricted)
+      if (node < n_owned)
+        for (unsigned int c = 0; c < components; ++c)
+          if (!is_active(node, c))
+            masked.local_element(node * components + c) = 1.;
+    StickSlip::update_ghosts(masked);
+
+    restricted.erase(std::remove_if(restricted.begin(),
+                                    restricted.end(),
+                                    [n_owned](const unsigned int node) {
+                                      return node >= n_owned;
+                                    }),
+                     restricted.end());
+    for (unsigned int i = n_owned; i < active.size(); ++i)
+      {
+        active[i] = full;
+        for (unsigned int c = 0; c < components; ++c)
+          if (masked.local_element(i * components + c) != 0.)
+            mask(i, c);
+      }
   }
 
 
@@ -82,8 +129,8 @@ namespace StickSlip
 
 
   bool
-  NodeMask::operator==(const NodeMask &other) const
+  NodeMask::is_equal(const NodeMask &other, const unsigned int n) const
   {
-    return active == other.active;
+    return std::equal(active.begin(), active.begin() + n, other.active.begin());
   }
 } // namespace StickSlip

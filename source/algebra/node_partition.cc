@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/algebra/node_partition.h>
 
 namespace StickSlip
@@ -20,6 +22,38 @@ namespace StickSlip
       return entries;
     }
   } // namespace
+
+
+
+  void
+  update_ghosts(const NodalVector &vector)
+  {
+    vector.update_ghost_values();
+    vector.set_ghost_state(false);
+  }
+
+
+
+  void
+  add_ghosts_to_owners(NodalVector &vector)
+  {
+    vector.compress(VectorOperation::add);
+  }
+
+
+
+  std::vector<double>
+  gather_on_first(const NodalVector &vector)
+  {
+    // Owned ranges follow each other in the order of the processes.
+    std::vector<double> all;
+    for (const std::vector<double> &part : Utilities::MPI::gather(
+           vector.get_mpi_communicator(),
+           std::vector<double>(vector.begin(),
+                               vector.begin() + vector.locally_owned_size())))
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }
 
 
 
@@ -81,10 +115,35 @@ namespace StickSlip
 
 
 
+  const IndexSet &
+  NodePartition::owned() const
+  {
+    return node_partitioner->locally_owned_range();
+  }
+
+
+
+  bool
+  NodePartition::is_local(const types::global_dof_index node) const
+  {
+    return node_partitioner->in_local_range(node) ||
+           node_partitioner->is_ghost_entry(node);
+  }
+
+
+
   unsigned int
   NodePartition::local_index(const types::global_dof_index node) const
   {
     return node_partitioner->global_to_local(node);
+  }
+
+
+
+  types::global_dof_index
+  NodePartition::global_index(const unsigned int node) const
+  {
+    return node_partitioner->local_to_global(node);
   }
 
 

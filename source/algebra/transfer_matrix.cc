@@ -10,21 +10,23 @@ namespace StickSlip
 {
   namespace
   {
+    /** Of the first @p n_rows rows. */
     TransferMatrix::Compressed
     transpose_of(const TransferMatrix::Compressed &A,
+                 const unsigned int                n_rows,
                  const unsigned int                n_columns)
     {
       TransferMatrix::Compressed T;
       T.row_start.assign(n_columns + 1, 0);
-      for (const unsigned int c : A.column)
-        ++T.row_start[c + 1];
+      for (unsigned int k = 0; k < A.row_start[n_rows]; ++k)
+        ++T.row_start[A.column[k] + 1];
       for (unsigned int c = 0; c < n_columns; ++c)
         T.row_start[c + 1] += T.row_start[c];
-      T.column.resize(A.column.size());
-      T.value.resize(A.column.size());
+      T.column.resize(T.row_start.back());
+      T.value.resize(T.row_start.back());
       std::vector<unsigned int> next(T.row_start.begin(),
                                      T.row_start.end() - 1);
-      for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
+      for (unsigned int i = 0; i < n_rows; ++i)
         for (unsigned int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
           {
             const unsigned int position = next[A.column[k]]++;
@@ -36,12 +38,16 @@ namespace StickSlip
 
 
 
-    /** y = A x or y += A x, with a fixed number of components. */
+    /** The first @p n_rows rows of y = A x or y += A x, with a fixed number of
+     * components. */
     template <int components, bool add>
     void
-    multiply(const TransferMatrix::Compressed &A, const double *x, double *y)
+    multiply(const TransferMatrix::Compressed &A,
+             const unsigned int                n_rows,
+             const double                     *x,
+             double                           *y)
     {
-      for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
+      for (unsigned int i = 0; i < n_rows; ++i)
         {
           double sum[components] = {};
           for (unsigned int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
@@ -61,6 +67,7 @@ namespace StickSlip
     template <bool add>
     void
     multiply(const TransferMatrix::Compressed &A,
+             const unsigned int                n_rows,
              const NodalVector                &x,
              NodalVector                      &y,
              const unsigned int                components)
@@ -68,13 +75,13 @@ namespace StickSlip
       switch (components)
         {
           case 1:
-            multiply<1, add>(A, x.begin(), y.begin());
+            multiply<1, add>(A, n_rows, x.begin(), y.begin());
             break;
           case 2:
-            multiply<2, add>(A, x.begin(), y.begin());
+            multiply<2, add>(A, n_rows, x.begin(), y.begin());
             break;
           case 3:
-            multiply<3, add>(A, x.begin(), y.begin());
+            multiply<3, add>(A, n_rows, x.begin(), y.begin());
             break;
           default:
             Assert(false, ExcMessage("One to three components a node."));
@@ -84,15 +91,21 @@ namespace StickSlip
 
 
 
-  TransferMatrix::TransferMatrix(const std::vector<Row> &rows,
-                                 const unsigned int      n_columns)
+  TransferMatrix::TransferMatrix(const std::vector<GlobalRow> &rows,
+                                 const NodePartition          &fine,
+                                 const NodePartition          &coarse)
+    : n_owned_rows(fine.n_owned())
   {
     constexpr double negligible = 1e-14;
+    Assert(rows.size() == fine.n_owned() || rows.size() == fine.n_local(),
+           ExcDimensionMismatch(rows.size(), fine.n_local()));
     by_row.row_start.reserve(rows.size() + 1);
-    Row row;
-    for (const Row &unsorted : rows)
+    std::vector<std::pair<unsigned int, double>> row;
+    for (const GlobalRow &global : rows)
       {
-        row = unsorted;
+        row.clear();
+        for (const auto &entry : global)
+          row.emplace_back(coarse.local_index(entry.first), entry.second);
         std::sort(row.begin(), row.end());
         for (unsigned int k = 0; k < row.size();)
           {
@@ -100,7 +113,6 @@ namespace StickSlip
             double             sum    = 0;
             for (; k < row.size() && row[k].first == column; ++k)
               sum += row[k].second;
-            Assert(column < n_columns, ExcMessage("Column out of range."));
             if (std::abs(sum) > negligible)
               {
                 by_row.column.push_back(column);
@@ -109,18 +121,7 @@ namespace StickSlip
           }
         by_row.row_start.push_back(by_row.column.size());
       }
-    by_column = transpose_of(by_row, n_columns);
-  }
-
-
-
-  TransferMatrix
-  TransferMatrix::identity(const unsigned int n)
-  {
-    std::vector<Row> rows(n);
-    for (unsigned int i = 0; i < n; ++i)
-      rows[i] = {{i, 1.}};
-    return TransferMatrix(rows, n);
+    by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
   }
 
 
@@ -141,33 +142,13 @@ namespace StickSlip
 
 
 
-  TransferMatrix
-  TransferMatrix::operator*(const TransferMatrix &right) const
-  {
-    AssertDimension(n_columns(), right.n_rows());
-    std::vector<Row> rows(n_rows());
-    for (unsigned int i = 0; i < n_rows(); ++i)
-      for (unsigned int k = by_row.row_start[i]; k < by_row.row_start[i + 1];
-           ++k)
-        {
-          const unsigned int j = by_row.column[k];
-          for (unsigned int m = right.by_row.row_start[j];
-               m < right.by_row.row_start[j + 1];
-               ++m)
-            rows[i].emplace_back(right.by_row.column[m],
-                                 by_row.value[k] * right.by_row.value[m]);
-        }
-    return TransferMatrix(rows, right.n_columns());
-  }
-
-
-
   void
   TransferMatrix::prolongate(NodalVector       &fine,
                              const NodalVector &coarse,
                              const unsigned int components) const
   {
-    multiply<false>(by_row, coarse, fine, components);
+    update_ghosts(coarse);
+    multiply<false>(by_row, n_owned_rows, coarse, fine, components);
   }
 
 
@@ -177,7 +158,8 @@ namespace StickSlip
                                  const NodalVector &coarse,
                                  const unsigned int components) const
   {
-    multiply<true>(by_row, coarse, fine, components);
+    update_ghosts(coarse);
+    multiply<true>(by_row, n_owned_rows, coarse, fine, components);
   }
 
 
@@ -187,7 +169,9 @@ namespace StickSlip
                               const NodalVector &fine,
                               const unsigned int components) const
   {
-    multiply<false>(by_column, fine, coarse, components);
+    // The owned fine nodes' shares, to own coarse nodes and to ghosts.
+    multiply<false>(by_column, n_columns(), fine, coarse, components);
+    add_ghosts_to_owners(coarse);
   }
 
 

@@ -38,9 +38,13 @@ namespace StickSlip
           }
         const FaultSurface<dim> surface =
           finest.bodies[side.body]->surface(condition.side);
-        side.points = surface.points;
-        for (const auto dof : surface.dofs)
-          side.nodes.push_back(finest.node(side.body, dof));
+        for (unsigned int k = 0; k < surface.dofs.size(); ++k)
+          if (const auto node = finest.global_node(side.body, surface.dofs[k]);
+              finest.nodes.owned().is_element(node))
+            {
+              side.points.push_back(surface.points[k]);
+              side.nodes.push_back(finest.nodes.local_index(node));
+            }
         sides.push_back(std::move(side));
       }
   }
@@ -52,14 +56,14 @@ namespace StickSlip
   BoundaryValues<dim>::dirichlet_mask(const unsigned int l) const
   {
     const MeshLevel<dim> &level = meshes.level(l);
-    NodeMask              mask(level.nodes.n_local(), dim);
+    NodeMask              mask(level.n_nodes(), dim);
     for (const Side &side : sides)
       for (const auto dof :
            level.bodies[side.body]->dofs_on_side(side.condition.side))
         for (unsigned int c = 0; c < dim; ++c)
           if (side.condition.type[c] == BoundaryType::fixed ||
               side.condition.type[c] == BoundaryType::velocity)
-            if (const unsigned int node = level.node(side.body, dof);
+            if (const auto node = level.global_node(side.body, dof);
                 mask.is_active(node, c))
               mask.mask(node, c);
     return mask;
@@ -95,6 +99,7 @@ namespace StickSlip
   BoundaryValues<dim>::add_tractions(const double time, NodalVector &load)
   {
     const MeshLevel<dim> &level = meshes.finest();
+    const IndexSet       &owned = level.nodes.owned();
     for (Side &side : sides)
       {
         if (std::none_of(side.condition.type.begin(),
@@ -103,8 +108,7 @@ namespace StickSlip
                            return type == BoundaryType::traction;
                          }))
           continue;
-        const BodyMesh<dim>   &body = *level.bodies[side.body];
-        const DoFHandler<dim> &dofs = body.dof_handler();
+        const DoFHandler<dim> &dofs = level.bodies[side.body]->dof_handler();
         const double      ramp = smooth_ramp(time, side.condition.ramp_length);
         FEFaceValues<dim> fe_values(dofs.get_fe(),
                                     QGauss<dim - 1>(3),
@@ -134,17 +138,12 @@ namespace StickSlip
                               // A hanging node hands its load to its masters.
                               const double value =
                                 traction * fe_values.shape_value(i, q);
-                              const auto *masters =
-                                body.hanging_nodes().get_constraint_entries(
-                                  cell_dofs[i]);
-                              if (masters == nullptr)
-                                load.local_element(
-                                  level.node(side.body, cell_dofs[i]) * dim +
-                                  c) += value;
-                              else
-                                for (const auto &master : *masters)
+                              for (const auto &master :
+                                   level.resolve(side.body, cell_dofs[i]))
+                                if (owned.is_element(master.first))
                                   load.local_element(
-                                    level.node(side.body, master.first) * dim +
+                                    level.nodes.local_index(master.first) *
+                                      dim +
                                     c) += master.second * value;
                             }
                         }

@@ -11,31 +11,14 @@ namespace StickSlip
 {
   namespace
   {
-    /**
-     * The nodes and weights to which the value at a degree of freedom of a
-     * body is bound: itself, or the masters of a hanging node.
-     */
-    template <int dim>
-    TransferMatrix::Row
-    resolve(const MeshLevel<dim>         &level,
-            const unsigned int            body,
-            const types::global_dof_index dof)
-    {
-      const auto *masters =
-        level.bodies[body]->hanging_nodes().get_constraint_entries(dof);
-      if (masters == nullptr)
-        return {{level.node(body, dof), 1.}};
-      TransferMatrix::Row row;
-      for (const auto &master : *masters)
-        row.emplace_back(level.node(body, master.first), master.second);
-      return row;
-    }
+    /** The local nodes and weights to which a degree of freedom is bound. */
+    using LocalRow = std::vector<std::pair<unsigned int, double>>;
 
 
 
     /**
-     * Call @p visit(body, FEValues, rows) on each cell, with the nodes that
-     * its degrees of freedom resolve to.
+     * Call @p visit(body, FEValues, rows) on each cell that touches an owned
+     * node, with the nodes that its degrees of freedom are bound to.
      */
     template <int dim, typename Visitor>
     void
@@ -43,6 +26,7 @@ namespace StickSlip
                   const UpdateFlags     flags,
                   const Visitor        &visit)
     {
+      const IndexSet &owned = level.nodes.owned();
       for (unsigned int body = 0; body < level.bodies.size(); ++body)
         {
           const DoFHandler<dim> &dof_handler =
@@ -52,13 +36,28 @@ namespace StickSlip
                                   quadrature,
                                   flags | update_JxW_values);
           std::vector<types::global_dof_index> dofs(fe_values.dofs_per_cell);
-          std::vector<TransferMatrix::Row>     rows(fe_values.dofs_per_cell);
+          std::vector<GlobalRow>               bound(fe_values.dofs_per_cell);
+          std::vector<LocalRow>                rows(fe_values.dofs_per_cell);
           for (const auto &cell : dof_handler.active_cell_iterators())
             {
-              fe_values.reinit(cell);
               cell->get_dof_indices(dofs);
+              bool touches_owned = false;
               for (unsigned int i = 0; i < dofs.size(); ++i)
-                rows[i] = resolve(level, body, dofs[i]);
+                {
+                  bound[i] = level.resolve(body, dofs[i]);
+                  for (const auto &node : bound[i])
+                    touches_owned |= owned.is_element(node.first);
+                }
+              if (!touches_owned)
+                continue;
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                {
+                  rows[i].clear();
+                  for (const auto &node : bound[i])
+                    rows[i].emplace_back(level.nodes.local_index(node.first),
+                                         node.second);
+                }
+              fe_values.reinit(cell);
               visit(body, fe_values, rows);
             }
         }
@@ -75,12 +74,13 @@ namespace StickSlip
                     update_default,
                     [&](const unsigned int,
                         const FEValues<dim> &,
-                        const std::vector<TransferMatrix::Row> &rows) {
+                        const std::vector<LocalRow> &rows) {
                       for (const auto &row_i : rows)
                         for (const auto &row_j : rows)
                           for (const auto &i : row_i)
-                            for (const auto &j : row_j)
-                              couplings[i.first].push_back(j.first);
+                            if (i.first < couplings.size())
+                              for (const auto &j : row_j)
+                                couplings[i.first].push_back(j.first);
                     });
       return std::make_shared<const BlockSparsity>(std::move(couplings));
     }
@@ -112,14 +112,17 @@ namespace StickSlip
 
     template <int dim>
     void
-    add(BlockMatrix<dim>          &matrix,
-        const TransferMatrix::Row &row_i,
-        const TransferMatrix::Row &row_j,
-        const Tensor<2, dim>      &value)
+    add(BlockMatrix<dim>     &matrix,
+        const LocalRow       &row_i,
+        const LocalRow       &row_j,
+        const Tensor<2, dim> &value)
     {
       for (const auto &i : row_i)
         for (const auto &j : row_j)
           {
+            // The owner of a ghost adds this to its row.
+            if (i.first >= matrix.n_rows())
+              continue;
             double *block =
               matrix.block(matrix.sparsity().position(i.first, j.first));
             for (unsigned int c = 0; c < dim; ++c)
@@ -143,9 +146,9 @@ namespace StickSlip
     for_each_cell(
       level,
       update_values | update_gradients,
-      [&](const unsigned int                      body,
-          const FEValues<dim>                    &fe_values,
-          const std::vector<TransferMatrix::Row> &rows) {
+      [&](const unsigned int           body,
+          const FEValues<dim>         &fe_values,
+          const std::vector<LocalRow> &rows) {
         const Material &material = materials[body];
         const double    eta      = material.shear_viscosity;
         // The deviatoric and the volumetric part of the viscous stress in the
@@ -192,9 +195,9 @@ namespace StickSlip
     NodalVector load = level.nodes.make_vector();
     for_each_cell(level,
                   update_values,
-                  [&](const unsigned int                      body,
-                      const FEValues<dim>                    &fe_values,
-                      const std::vector<TransferMatrix::Row> &rows) {
+                  [&](const unsigned int           body,
+                      const FEValues<dim>         &fe_values,
+                      const std::vector<LocalRow> &rows) {
                     for (unsigned int i = 0; i < rows.size(); ++i)
                       {
                         double integral = 0;
@@ -203,9 +206,10 @@ namespace StickSlip
                           integral +=
                             fe_values.shape_value(i, q) * fe_values.JxW(q);
                         for (const auto &node : rows[i])
-                          load.local_element(node.first * dim + dim - 1) -=
-                            node.second * materials[body].density *
-                            acceleration * integral;
+                          if (node.first < level.nodes.n_owned())
+                            load.local_element(node.first * dim + dim - 1) -=
+                              node.second * materials[body].density *
+                              acceleration * integral;
                       }
                   });
     return load;

@@ -14,6 +14,57 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    template <int dim>
+    using CellIterator = typename Triangulation<dim>::cell_iterator;
+
+
+
+    /** Flag what is active below @p cell and refined below @p pattern; returns
+     * whether there is any. */
+    template <int dim>
+    bool
+    flag_for_refinement(const CellIterator<dim> &cell,
+                        const CellIterator<dim> &pattern)
+    {
+      if (pattern->is_active())
+        return false;
+      if (cell->is_active())
+        {
+          cell->set_refine_flag();
+          return true;
+        }
+      bool any = false;
+      for (unsigned int child = 0; child < cell->n_children(); ++child)
+        any |=
+          flag_for_refinement<dim>(cell->child(child), pattern->child(child));
+      return any;
+    }
+
+
+
+    /** Refine a mesh of the same coarse cells until it is like @p pattern. */
+    template <int dim>
+    void
+    refine_alike(Triangulation<dim> &mesh, const Triangulation<dim> &pattern)
+    {
+      while (true)
+        {
+          bool any             = false;
+          auto cell_of_pattern = pattern.begin(0);
+          for (auto cell = mesh.begin(0); cell != mesh.end(0);
+               ++cell, ++cell_of_pattern)
+            any |= flag_for_refinement<dim>(cell, cell_of_pattern);
+          if (!any)
+            return;
+          mesh.execute_coarsening_and_refinement();
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyGeometry<dim> &geometry,
                           const bool               fault_below,
@@ -27,6 +78,9 @@ namespace StickSlip
       geometry.lower_corner(),
       geometry.upper_corner(),
       /*colorize=*/true);
+    const auto unrefined = std::make_shared<Triangulation<dim>>();
+    unrefined->copy_triangulation(*mesh);
+    coarse_cells = unrefined;
     mesh->refine_global(geometry.uniform_refinements);
 
     const auto touches_a_fault = [&](const auto &cell) {
@@ -62,15 +116,22 @@ namespace StickSlip
 
   template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyMesh &finer)
-    : mesh(std::make_unique<Triangulation<dim>>())
+    : coarse_cells(finer.coarse_cells)
+    , mesh(std::make_unique<Triangulation<dim>>())
   {
-    mesh->copy_triangulation(*finer.mesh);
-    for (const auto &cell : mesh->active_cell_iterators())
+    Triangulation<dim> coarsened;
+    coarsened.copy_triangulation(*finer.mesh);
+    for (const auto &cell : coarsened.active_cell_iterators())
       if (cell->level() > 0)
         cell->set_coarsen_flag();
-    mesh->execute_coarsening_and_refinement();
-    AssertThrow(mesh->n_active_cells() < finer.mesh->n_active_cells(),
+    coarsened.execute_coarsening_and_refinement();
+    AssertThrow(coarsened.n_active_cells() < finer.mesh->n_active_cells(),
                 ExcMessage("The mesh of a body could not be coarsened."));
+
+    // A mesh that has been coarsened keeps the memory of the finer one.
+    mesh->copy_triangulation(*coarse_cells);
+    refine_alike(*mesh, coarsened);
+    AssertDimension(mesh->n_active_cells(), coarsened.n_active_cells());
     distribute_dofs();
   }
 

@@ -264,6 +264,52 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    template <int dim>
+    using CellIterator = typename Triangulation<dim>::cell_iterator;
+
+
+
+    template <int dim>
+    void
+    inherit_below(const CellIterator<dim>         &coarse,
+                  const CellIterator<dim>         &fine,
+                  const std::vector<unsigned int> &fine_owners,
+                  std::vector<unsigned int>       &owners)
+    {
+      if (coarse->is_active())
+        for (const auto v : coarse->vertex_indices())
+          owners[coarse->vertex_index(v)] = fine_owners[fine->vertex_index(v)];
+      else
+        for (unsigned int child = 0; child < coarse->n_children(); ++child)
+          inherit_below<dim>(coarse->child(child),
+                             fine->child(child),
+                             fine_owners,
+                             owners);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  inherited_vertex_owners(const BodyMesh<dim>             &coarse,
+                          const BodyMesh<dim>             &fine,
+                          const std::vector<unsigned int> &fine_owners)
+  {
+    std::vector<unsigned int> owners(coarse.triangulation().n_vertices(),
+                                     numbers::invalid_unsigned_int);
+    auto                      fine_cell = fine.triangulation().begin(0);
+    for (auto cell = coarse.triangulation().begin(0);
+         cell != coarse.triangulation().end(0);
+         ++cell, ++fine_cell)
+      inherit_below<dim>(cell, fine_cell, fine_owners, owners);
+    return owners;
+  }
+
+
+
   template std::vector<std::vector<unsigned int>>
   partition_cells<2>(const std::vector<std::shared_ptr<const BodyMesh<2>>> &,
                      const unsigned int);
@@ -274,4 +320,12 @@ namespace StickSlip
   vertex_owners<2>(const BodyMesh<2> &, const std::vector<unsigned int> &);
   template std::vector<unsigned int>
   vertex_owners<3>(const BodyMesh<3> &, const std::vector<unsigned int> &);
+  template std::vector<unsigned int>
+  inherited_vertex_owners<2>(const BodyMesh<2> &,
+                             const BodyMesh<2> &,
+                             const std::vector<unsigned int> &);
+  template std::vector<unsigned int>
+  inherited_vertex_owners<3>(const BodyMesh<3> &,
+                             const BodyMesh<3> &,
+                             const std::vector<unsigned int> &);
 } // namespace StickSlip

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/fe/fe.h>
-#include <deal.II/lac/full_matrix.h>
+#include <deal.II/base/mpi.h>
 
+#include <stickslip/mesh/cell_partition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 
 #include <algorithm>
@@ -12,179 +12,124 @@ namespace StickSlip
 {
   namespace
   {
+    template <int dim>
+    using Bodies = std::vector<std::shared_ptr<const BodyMesh<dim>>>;
+
+
+
     /**
-     * Walks the trees of a fine and a coarse mesh together. Below an active
-     * coarse cell, @p values holds the coarse cell's basis functions at the
-     * vertices of the current fine cell.
+     * The process of each node, body after body, from the owners of the
+     * vertices of each body's mesh.
      */
     template <int dim>
-    class TreeWalk
+    std::vector<unsigned int>
+    node_owners(const Bodies<dim>                            &bodies,
+                const std::vector<std::vector<unsigned int>> &vertex_owners)
     {
-    public:
-      TreeWalk(const BodyMesh<dim> &coarse, const BodyMesh<dim> &fine)
-        : coarse(coarse)
-        , fine(fine)
-        , rows(fine.dof_handler().n_dofs())
-        , visited(rows.size(), false)
-      {}
-
-      void
-      both(const typename DoFHandler<dim>::cell_iterator &fine_cell,
-           const typename DoFHandler<dim>::cell_iterator &coarse_cell)
-      {
-        if (coarse_cell->is_active())
-          {
-            coarse_dofs.resize(coarse_cell->get_fe().n_dofs_per_cell());
-            coarse_cell->get_dof_indices(coarse_dofs);
-            below(fine_cell, IdentityMatrix(coarse_dofs.size()));
-          }
-        else
-          for (unsigned int child = 0; child < fine_cell->n_children(); ++child)
-            both(fine_cell->child(child), coarse_cell->child(child));
-      }
-
-      std::vector<TransferMatrix::Row>
-      result()
-      {
-        return std::move(rows);
-      }
-
-    private:
-      void
-      below(const typename DoFHandler<dim>::cell_iterator &fine_cell,
-            const FullMatrix<double>                      &values)
-      {
-        if (fine_cell->is_active())
-          {
-            std::vector<types::global_dof_index> fine_dofs(values.m());
-            fine_cell->get_dof_indices(fine_dofs);
-            for (unsigned int i = 0; i < fine_dofs.size(); ++i)
-              set_row(fine_dofs[i], values, i);
-            return;
-          }
-        for (unsigned int child = 0; child < fine_cell->n_children(); ++child)
-          {
-            FullMatrix<double> product(values.m(), values.n());
-            fine.dof_handler()
-              .get_fe()
-              .get_prolongation_matrix(child, fine_cell->refinement_case())
-              .mmult(product, values);
-            below(fine_cell->child(child), product);
-          }
-      }
-
-      void
-      set_row(const types::global_dof_index fine_dof,
-              const FullMatrix<double>     &values,
-              const unsigned int            i)
-      {
-        if (visited[fine_dof] || fine.hanging_nodes().is_constrained(fine_dof))
-          return;
-        visited[fine_dof] = true;
-        for (unsigned int j = 0; j < coarse_dofs.size(); ++j)
-          if (const double value = values(i, j))
-            {
-              const auto *masters =
-                coarse.hanging_nodes().get_constraint_entries(coarse_dofs[j]);
-              if (masters == nullptr)
-                rows[fine_dof].emplace_back(coarse_dofs[j], value);
-              else
-                for (const auto &master : *masters)
-                  rows[fine_dof].emplace_back(master.first,
-                                              value * master.second);
-            }
-      }
-
-      const BodyMesh<dim>                 &coarse;
-      const BodyMesh<dim>                 &fine;
-      std::vector<types::global_dof_index> coarse_dofs;
-      std::vector<TransferMatrix::Row>     rows;
-      std::vector<bool>                    visited;
-    };
+      std::vector<unsigned int> owners;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          const DoFHandler<dim> &dofs  = bodies[b]->dof_handler();
+          const std::size_t      first = owners.size();
+          owners.resize(first + dofs.n_dofs());
+          for (const auto &cell : dofs.active_cell_iterators())
+            for (const auto v : cell->vertex_indices())
+              owners[first + cell->vertex_dof_index(v, 0)] =
+                vertex_owners[b][cell->vertex_index(v)];
+        }
+      return owners;
+    }
 
 
 
-    template <int dim>
-    MeshLevel<dim>
-    make_level(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-               const MPI_Comm &communicator)
+    /**
+     * Gather the nodes of neighbouring processes on one where there are too
+     * few for all. The numbers of neighbouring parts are close to each other.
+     */
+    void
+    gather(std::vector<unsigned int> &owners,
+           const unsigned int         n_processes,
+           const unsigned int         n_sharing)
     {
-      MeshLevel<dim> level;
-      level.bodies     = bodies;
-      level.first_node = {0};
-      for (const auto &body : bodies)
-        level.first_node.push_back(level.first_node.back() +
-                                   body->dof_handler().n_dofs());
-      const types::global_dof_index n = level.first_node.back();
-      level.nodes =
-        NodePartition(complete_index_set(n), IndexSet(n), dim, communicator);
-      return level;
+      for (unsigned int &owner : owners)
+        {
+          const unsigned int group = owner * n_sharing / n_processes;
+          // The first process of the group.
+          owner = (group * n_processes + n_sharing - 1) / n_sharing;
+        }
     }
   } // namespace
 
 
 
   template <int dim>
-  std::vector<TransferMatrix::Row>
-  nodal_prolongation(const BodyMesh<dim> &coarse, const BodyMesh<dim> &fine)
-  {
-    TreeWalk<dim> walk(coarse, fine);
-    auto          coarse_cell = coarse.dof_handler().begin(0);
-    for (auto fine_cell = fine.dof_handler().begin(0);
-         fine_cell != fine.dof_handler().end(0);
-         ++fine_cell, ++coarse_cell)
-      walk.both(fine_cell, coarse_cell);
-    return walk.result();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  MeshLevel<dim>::node(const unsigned int            body,
-                       const types::global_dof_index dof) const
-  {
-    return nodes.local_index(first_node[body] + dof);
-  }
-
-
-
-  template <int dim>
   MeshHierarchy<dim>::MeshHierarchy(
     const std::vector<BodyGeometry<dim>> &geometries,
-    const MPI_Comm                       &communicator)
+    const MPI_Comm                       &communicator,
+    const unsigned int                    min_nodes_per_process)
   {
-    std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
-    for (unsigned int i = 0; i < geometries.size(); ++i)
-      bodies.push_back(std::make_shared<BodyMesh<dim>>(geometries[i],
-                                                       /*fault_below=*/i > 0,
-                                                       /*fault_above=*/i + 1 <
-                                                         geometries.size()));
-    levels.push_back(make_level<dim>(bodies, communicator));
+    const unsigned int n_processes =
+      Utilities::MPI::n_mpi_processes(communicator);
 
-    while (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
+    // All meshes, the finest first.
+    std::vector<Bodies<dim>> meshes(1);
+    for (unsigned int i = 0; i < geometries.size(); ++i)
+      meshes[0].push_back(
+        std::make_shared<BodyMesh<dim>>(geometries[i],
+                                        /*fault_below=*/i > 0,
+                                        /*fault_above=*/i + 1 <
+                                          geometries.size()));
+    const auto can_be_coarsened = [](const auto &body) {
       return body->can_be_coarsened();
-    }))
+    };
+    while (
+      std::any_of(meshes.back().begin(), meshes.back().end(), can_be_coarsened))
       {
-        const MeshLevel<dim>            &fine = levels.back();
-        std::vector<TransferMatrix::Row> rows(fine.first_node.back());
-        types::global_dof_index          first_coarse = 0;
-        for (unsigned int i = 0; i < bodies.size(); ++i)
-          {
-            if (bodies[i]->can_be_coarsened())
-              bodies[i] = std::make_shared<BodyMesh<dim>>(*bodies[i]);
-            auto body_rows =
-              nodal_prolongation<dim>(*bodies[i], *fine.bodies[i]);
-            for (unsigned int dof = 0; dof < body_rows.size(); ++dof)
-              {
-                for (auto &entry : body_rows[dof])
-                  entry.first += first_coarse;
-                rows[fine.first_node[i] + dof] = std::move(body_rows[dof]);
-              }
-            first_coarse += bodies[i]->dof_handler().n_dofs();
-          }
-        prolongations.emplace_back(rows, first_coarse);
-        levels.push_back(make_level<dim>(bodies, communicator));
+        meshes.push_back(meshes.back());
+        for (auto &body : meshes.back())
+          if (body->can_be_coarsened())
+            body = std::make_shared<BodyMesh<dim>>(*body);
+      }
+
+    std::vector<std::vector<unsigned int>>       owners_of_vertices;
+    const std::vector<std::vector<unsigned int>> owners_of_cells =
+      partition_cells<dim>(meshes.front(), n_processes);
+    for (unsigned int i = 0; i < geometries.size(); ++i)
+      owners_of_vertices.push_back(
+        vertex_owners<dim>(*meshes.front()[i], owners_of_cells[i]));
+
+    for (unsigned int l = 0; l < meshes.size(); ++l)
+      {
+        if (l > 0)
+          for (unsigned int i = 0; i < geometries.size(); ++i)
+            owners_of_vertices[i] =
+              inherited_vertex_owners<dim>(*meshes[l][i],
+                                           *meshes[l - 1][i],
+                                           owners_of_vertices[i]);
+        std::vector<unsigned int> owners =
+          node_owners<dim>(meshes[l], owners_of_vertices);
+        if (l + 1 == meshes.size())
+          gather(owners, n_processes, 1);
+        else if (l > 0)
+          gather(owners,
+                 n_processes,
+                 std::clamp<std::size_t>(owners.size() / min_nodes_per_process,
+                                         1,
+                                         n_processes));
+        levels.emplace_back(meshes[l], owners, communicator);
+      }
+
+    // Which rows of the prolongations are needed: for the nodes of a level
+    // that cells or prolongations or the contact may couple with owned ones.
+    for (unsigned int l = 0; l + 1 < levels.size(); ++l)
+      {
+        IndexSet wanted = levels[l].nodes.owned();
+        wanted.add_indices(levels[l].nodes.nodes()->ghost_indices());
+        wanted.add_indices(levels[l].strip());
+        if (l > 0)
+          wanted.add_indices(prolongations.back().columns(levels[l].n_nodes()));
+        wanted.compress();
+        prolongations.emplace_back(levels[l + 1], levels[l], wanted);
       }
     std::reverse(levels.begin(), levels.end());
     std::reverse(prolongations.begin(), prolongations.end());
@@ -229,7 +174,7 @@ namespace StickSlip
 
 
   template <int dim>
-  const TransferMatrix &
+  const NodalProlongation &
   MeshHierarchy<dim>::prolongation(const unsigned int l) const
   {
     AssertIndexRange(l - 1, prolongations.size());
@@ -240,10 +185,4 @@ namespace StickSlip
 
   template class MeshHierarchy<2>;
   template class MeshHierarchy<3>;
-  template struct MeshLevel<2>;
-  template struct MeshLevel<3>;
-  template std::vector<TransferMatrix::Row>
-  nodal_prolongation<2>(const BodyMesh<2> &, const BodyMesh<2> &);
-  template std::vector<TransferMatrix::Row>
-  nodal_prolongation<3>(const BodyMesh<3> &, const BodyMesh<3> &);
 } // namespace StickSlip

@@ -9,122 +9,81 @@ namespace StickSlip
 {
   namespace
   {
-    /** Extents of all faces along the fault: their mean and their least. */
     template <int dim>
-    std::pair<double, double>
-    face_sizes(const FaultSurface<dim> &surface)
+    std::vector<Point<dim - 1>>
+    current_positions(const FaultSurface<dim>           &surface,
+                      const std::vector<Tensor<1, dim>> &displacement)
     {
-      double sum = 0, least = std::numeric_limits<double>::max();
-      for (const auto &face : surface.faces)
-        {
-          const double size =
-            surface.points[face.front()].distance(surface.points[face.back()]);
-          sum += size;
-          least = std::min(least, size);
-        }
-      return {sum / surface.faces.size(), least};
+      std::vector<Point<dim - 1>> positions(surface.points.size());
+      for (unsigned int p = 0; p < positions.size(); ++p)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          positions[p][d] = surface.points[p][d] + displacement[p][d];
+      return positions;
     }
 
 
 
-    template <int dim>
-    std::vector<Point<dim - 1>>
-    current_positions(const FaultSurface<dim>         &surface,
-                      const std::vector<unsigned int> &nodes,
-                      const NodalVector               &displacement)
+    void
+    add_multiple(GlobalRow &sum, const double factor, const GlobalRow &row)
     {
-      std::vector<Point<dim - 1>> positions(nodes.size());
-      for (unsigned int p = 0; p < nodes.size(); ++p)
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          positions[p][d] = surface.points[p][d] +
-                            displacement.local_element(nodes[p] * dim + d);
-      return positions;
+      for (const auto &entry : row)
+        sum.emplace_back(entry.first, factor * entry.second);
     }
   } // namespace
 
 
 
   template <int dim>
-  FaultSides
-  choose_fault_sides(const MeshLevel<dim> &level, const unsigned int lower)
+  JumpBasis<dim>::JumpBasis(
+    const MeshLevel<dim>                      &level,
+    const std::vector<FaultSides>             &sides,
+    const std::vector<FaultDisplacement<dim>> &displacements,
+    const NodeMask                            &dirichlet)
   {
-    constexpr auto top    = BodyMesh<dim>::upper_side;
-    constexpr auto bottom = BodyMesh<dim>::lower_side;
-    const double   size_below =
-      face_sizes(level.bodies[lower]->surface(top)).first;
-    const double size_above =
-      face_sizes(level.bodies[lower + 1]->surface(bottom)).first;
-    // Equal sizes differ by rounding.
-    if (size_below < (1. - 1e-8) * size_above)
-      return {lower, lower + 1, top, bottom};
-    return {lower + 1, lower, bottom, top};
-  }
-
-
-
-  template <int dim>
-  JumpBasis<dim>::JumpBasis(const MeshLevel<dim>          &level,
-                            const std::vector<FaultSides> &sides,
-                            const NodalVector             &displacement,
-                            const NodeMask                &dirichlet)
-  {
-    const unsigned int               n_nodes = level.nodes.n_local();
-    std::vector<TransferMatrix::Row> forward(n_nodes), inverse(n_nodes);
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      forward[i] = inverse[i] = {{i, 1.}};
-
-    for (const FaultSides &side : sides)
+    AssertDimension(displacements.size(), sides.size());
+    for (unsigned int f = 0; f < sides.size(); ++f)
       {
+        const FaultSides &side = sides[f];
         FaultContact<dim> contact;
-        contact.sides = side;
-        contact.slave_surface =
-          level.bodies[side.slave_body]->surface(side.slave_side);
-        const FaultSurface<dim> master =
-          level.bodies[side.master_body]->surface(side.master_side);
-        for (const auto dof : contact.slave_surface.dofs)
-          contact.slave_nodes.push_back(level.node(side.slave_body, dof));
-        for (const auto dof : master.dofs)
-          contact.master_nodes.push_back(level.node(side.master_body, dof));
+        contact.sides         = side;
+        contact.slave_surface = level.surface(side.slave_body, side.slave_side);
+        const FaultSurface<dim> &master =
+          level.surface(side.master_body, side.master_side);
+        contact.slave_nodes =
+          surface_nodes(level, side.slave_body, side.slave_side);
+        contact.master_nodes =
+          surface_nodes(level, side.master_body, side.master_side);
         contact.smallest_face =
           std::min(face_sizes(contact.slave_surface).second,
                    face_sizes(master).second);
 
         std::vector<bool> excluded;
-        for (const unsigned int p : contact.slave_nodes)
+        for (const auto p : contact.slave_nodes)
           excluded.push_back(!dirichlet.is_fully_active(p));
         contact.coupling = build_mortar_coupling<dim>(
           contact.slave_surface,
-          current_positions(contact.slave_surface,
-                            contact.slave_nodes,
-                            displacement),
+          current_positions(contact.slave_surface, displacements[f].slave),
           master,
-          current_positions(master, contact.master_nodes, displacement),
+          current_positions(master, displacements[f].master),
           excluded);
 
         const MortarCoupling &coupling = contact.coupling;
         for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
           if (coupling.active[k])
             {
-              const unsigned int p      = contact.slave_nodes[k];
-              const double       factor = coupling.averaging_factor[k];
-              forward[p]                = {{p, 1. / factor}};
-              inverse[p]                = {{p, factor}};
-              const auto add            = [&](const unsigned int node,
-                                   const double       value) {
-                forward[p].emplace_back(node, value);
-                inverse[p].emplace_back(node, -factor * value);
-              };
+              auto &[factor, partners] = jumps[contact.slave_nodes[k]];
+              factor                   = coupling.averaging_factor[k];
               for (const auto &entry : coupling.master_rows[k])
-                add(contact.master_nodes[entry.first], entry.second);
+                partners.emplace_back(contact.master_nodes[entry.first],
+                                      entry.second);
               for (const auto &entry : coupling.inactive_slave_rows[k])
-                add(contact.slave_nodes[entry.first], entry.second);
-              active_nodes.push_back(p);
+                partners.emplace_back(contact.slave_nodes[entry.first],
+                                      entry.second);
             }
         contacts.push_back(std::move(contact));
       }
-    std::sort(active_nodes.begin(), active_nodes.end());
-    B         = TransferMatrix(forward, n_nodes);
-    B_inverse = TransferMatrix(inverse, n_nodes);
+    for (const auto &jump : jumps)
+      active_nodes.push_back(jump.first);
   }
 
 
@@ -139,25 +98,36 @@ namespace StickSlip
 
 
   template <int dim>
-  const TransferMatrix &
-  JumpBasis<dim>::to_nodal() const
+  GlobalRow
+  JumpBasis<dim>::to_nodal(const types::global_dof_index node) const
   {
-    return B;
+    const auto jump = jumps.find(node);
+    if (jump == jumps.end())
+      return {{node, 1.}};
+    GlobalRow row = {{node, 1. / jump->second.first}};
+    add_multiple(row, 1., jump->second.second);
+    return row;
   }
 
 
 
   template <int dim>
-  const TransferMatrix &
-  JumpBasis<dim>::to_jumps() const
+  GlobalRow
+  JumpBasis<dim>::to_jumps(const types::global_dof_index node) const
   {
-    return B_inverse;
+    const auto jump = jumps.find(node);
+    if (jump == jumps.end())
+      return {{node, 1.}};
+    const double factor = jump->second.first;
+    GlobalRow    row    = {{node, factor}};
+    add_multiple(row, -factor, jump->second.second);
+    return row;
   }
 
 
 
   template <int dim>
-  const std::vector<unsigned int> &
+  const std::vector<types::global_dof_index> &
   JumpBasis<dim>::contact_nodes() const
   {
     return active_nodes;
@@ -166,42 +136,43 @@ namespace StickSlip
 
 
   template <int dim>
-  TransferMatrix
-  jump_prolongation(const JumpBasis<dim> &coarse,
-                    const JumpBasis<dim> &fine,
-                    const TransferMatrix &nodal_prolongation)
+  std::vector<unsigned int>
+  JumpBasis<dim>::owned_contact_nodes(const NodePartition &nodes) const
   {
-    return fine.to_jumps() * (nodal_prolongation * coarse.to_nodal());
+    std::vector<unsigned int> result;
+    for (const auto node : active_nodes)
+      if (nodes.owned().is_element(node))
+        result.push_back(nodes.local_index(node));
+    return result;
   }
 
 
 
-  void
-  inject(NodalVector          &coarse,
-         const NodalVector    &fine,
-         const TransferMatrix &nodal_prolongation,
-         const unsigned int    components)
+  template <int dim>
+  GlobalRow
+  jump_prolongation(const JumpBasis<dim>         &coarse,
+                    const JumpBasis<dim>         &fine,
+                    const NodalProlongation      &prolongation,
+                    const types::global_dof_index node)
   {
-    const auto &P = nodal_prolongation.matrix();
-    coarse        = 0.;
-    for (unsigned int i = 0; i < nodal_prolongation.n_rows(); ++i)
-      if (P.row_start[i + 1] == P.row_start[i] + 1 &&
-          P.value[P.row_start[i]] == 1.)
-        for (unsigned int c = 0; c < components; ++c)
-          coarse.local_element(P.column[P.row_start[i]] * components + c) =
-            fine.local_element(i * components + c);
+    GlobalRow result;
+    for (const auto &jump : fine.to_jumps(node))
+      for (const auto &value : prolongation.row(jump.first))
+        add_multiple(result,
+                     jump.second * value.second,
+                     coarse.to_nodal(value.first));
+    return result;
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                        \
-  template struct FaultContact<dim>;                                      \
-  template class JumpBasis<dim>;                                          \
-  template FaultSides     choose_fault_sides<dim>(const MeshLevel<dim> &, \
-                                              const unsigned int);    \
-  template TransferMatrix jump_prolongation<dim>(const JumpBasis<dim> &,  \
-                                                 const JumpBasis<dim> &,  \
-                                                 const TransferMatrix &);
+#define STICKSLIP_INSTANTIATE(dim)                                     \
+  template struct FaultContact<dim>;                                   \
+  template class JumpBasis<dim>;                                       \
+  template GlobalRow jump_prolongation<dim>(const JumpBasis<dim> &,    \
+                                            const JumpBasis<dim> &,    \
+                                            const NodalProlongation &, \
+                                            const types::global_dof_index);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -4,22 +4,34 @@
 #include <stickslip/output/interrupt.h>
 
 #include <csignal>
+#include <ctime>
 
 namespace StickSlip
 {
   namespace
   {
     volatile std::sig_atomic_t signal_received = 0;
+    volatile std::time_t       time_of_signal  = 0;
+
+    // A terminal and mpirun may both tell the same, s.
+    constexpr std::time_t same_occasion = 2;
 
 
 
-    // Installed for both signals by name, as SIG_DFL must be for both.
     extern "C" void
-    note_signal(int)
+    note_signal(int signal)
     {
-      signal_received = 1;
-      std::signal(SIGINT, SIG_DFL);
-      std::signal(SIGTERM, SIG_DFL);
+      const std::time_t now = std::time(nullptr);
+      if (signal_received == 0)
+        {
+          signal_received = 1;
+          time_of_signal  = now;
+        }
+      else if (now - time_of_signal > same_occasion)
+        {
+          std::signal(signal, SIG_DFL);
+          std::raise(signal);
+        }
     }
   } // namespace
 

@@ -16,17 +16,16 @@ namespace StickSlip
 {
   namespace
   {
-    /** The part of a nodal vector that belongs to one body, hanging nodes
+    /** The part of all nodal values that belongs to one body, hanging nodes
      * included, in the numbers of a vector-valued DoFHandler. */
     template <int dim>
     Vector<double>
-    values_of_body(const MeshLevel<dim>  &level,
-                   const unsigned int     body,
-                   const DoFHandler<dim> &vector_dofs,
-                   const NodalVector     &nodal)
+    values_of_body(const MeshLevel<dim>      &level,
+                   const unsigned int         body,
+                   const DoFHandler<dim>     &vector_dofs,
+                   const std::vector<double> &nodal)
     {
-      const BodyMesh<dim>   &mesh        = *level.bodies[body];
-      const DoFHandler<dim> &scalar_dofs = mesh.dof_handler();
+      const DoFHandler<dim> &scalar_dofs = level.bodies[body]->dof_handler();
 
       Vector<double>                       values(vector_dofs.n_dofs());
       std::vector<types::global_dof_index> scalar(
@@ -42,19 +41,11 @@ namespace StickSlip
             {
               const auto component =
                 vector_dofs.get_fe().system_to_component_index(i);
-              const auto  dof = scalar[component.second];
-              const auto *masters =
-                mesh.hanging_nodes().get_constraint_entries(dof);
               double value = 0;
-              if (masters == nullptr)
-                value = nodal.local_element(level.node(body, dof) * dim +
-                                            component.first);
-              else
-                for (const auto &master : *masters)
-                  value +=
-                    master.second *
-                    nodal.local_element(level.node(body, master.first) * dim +
-                                        component.first);
+              for (const auto &node :
+                   level.resolve(body, scalar[component.second]))
+                value += node.second *
+                         nodal[std::size_t(node.first) * dim + component.first];
               values[vector[i]] = value;
             }
           ++scalar_cell;
@@ -105,8 +96,8 @@ namespace StickSlip
     build_patches(DataOut<dim>                    &data_out,
                   const MeshLevel<dim>            &level,
                   const unsigned int               body,
-                  const NodalVector               &displacement,
-                  const NodalVector               &velocity,
+                  const std::vector<double>       &displacement,
+                  const std::vector<double>       &velocity,
                   const std::pair<double, double> &lame)
     {
       DoFHandler<dim> dofs(level.bodies[body]->triangulation());
@@ -153,8 +144,8 @@ namespace StickSlip
                const unsigned int                            number,
                const double                                  time,
                const MeshLevel<dim>                         &level,
-               const NodalVector                            &displacement,
-               const NodalVector                            &velocity,
+               const std::vector<double>                    &displacement,
+               const std::vector<double>                    &velocity,
                const std::vector<std::pair<double, double>> &lame_parameters)
   {
     // The patches of the first body, to which those of the others are added.
@@ -178,7 +169,9 @@ namespace StickSlip
     const std::string name =
       "solution_" + Utilities::int_to_string(number, 5) + ".vtu";
     std::ofstream file(directory + "/" + name);
-    all.write_vtu(file);
+    // The library has much to say on a stream it cannot use.
+    if (file)
+      all.write_vtu(file);
     AssertThrow(file.good(),
                 ExcMessage("The file '" + directory + "/" + name +
                            "' could not be written."));
@@ -192,15 +185,15 @@ namespace StickSlip
                   const unsigned int,
                   const double,
                   const MeshLevel<2> &,
-                  const NodalVector &,
-                  const NodalVector &,
+                  const std::vector<double> &,
+                  const std::vector<double> &,
                   const std::vector<std::pair<double, double>> &);
   template std::string
   write_volume<3>(const std::string &,
                   const unsigned int,
                   const double,
                   const MeshLevel<3> &,
-                  const NodalVector &,
-                  const NodalVector &,
+                  const std::vector<double> &,
+                  const std::vector<double> &,
                   const std::vector<std::pair<double, double>> &);
 } // namespace StickSlip

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/output/interrupt.h>
@@ -119,13 +120,20 @@ namespace StickSlip
       }
     catch (const std::exception &error)
       {
-        ending = error.what();
-        record->finish(summarise());
+        // If only some processes have failed, the others are elsewhere in the
+        // program and cannot take part any more.
+        if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
+            dynamic_cast<const AgreedFailure *>(&error))
+          {
+            ending = error.what();
+            record->finish(summarise());
+          }
         throw;
       }
     record->finish(summarise());
-    std::cout << "Run " << ending << ". Results are in "
-              << scene.output.directory << '.' << std::endl;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cout << "Run " << ending << ". Results are in "
+                << scene.output.directory << '.' << std::endl;
     return is_finished();
   }
 
@@ -144,6 +152,7 @@ namespace StickSlip
     const JumpBasis<dim> &basis = problem.jump_basis();
     faults                      = FaultNodes<dim>(
       basis,
+      problem.hierarchy().finest().nodes,
       make_fault_laws(scene),
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
     current       = make_initial_state(scene, basis, equilibrium);
@@ -223,6 +232,7 @@ namespace StickSlip
     const FaultNodes<dim> before = std::move(faults);
     problem.build_contact(current.displacement);
     faults = FaultNodes<dim>(problem.jump_basis(),
+                             problem.hierarchy().finest().nodes,
                              make_fault_laws(scene),
                              before.normal_stress());
     rate_state_step->reinit();
@@ -233,7 +243,7 @@ namespace StickSlip
     // come into contact get the jump of the velocities as they are.
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, current.velocity);
-    for (const unsigned int k : faults.contact())
+    for (const unsigned int k : faults.owned_contact())
       {
         w.local_element(faults.node(k) * dim + dim - 1) = 0.;
         if (before.in_contact(k))
@@ -308,11 +318,17 @@ namespace StickSlip
       summary.add("Wall time", section.first, section.second, "s");
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
-    summary.add("Memory", "largest resident size", memory.VmHWM / 1024., "MiB");
-    summary.add("Memory",
-                "level hierarchy",
-                problem.hierarchy().memory_consumption() / 1048576.,
-                "MiB");
+    const auto add_memory = [&](const std::string &key, const double bytes) {
+      summary.add("Memory", key, bytes / 1048576., "MiB");
+    };
+    add_memory("largest resident size",
+               Utilities::MPI::max(memory.VmHWM * 1024., communicator));
+    add_memory("resident size of all processes",
+               Utilities::MPI::sum(memory.VmHWM * 1024., communicator));
+    add_memory("level hierarchy",
+               Utilities::MPI::sum(double(
+                                     problem.hierarchy().memory_consumption()),
+                                   communicator));
     return summary;
   }
 

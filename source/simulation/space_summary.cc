@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/simulation/space_summary.h>
 
 #include <algorithm>
@@ -65,10 +67,14 @@ namespace StickSlip
                     const std::vector<std::string> &body_names,
                     const std::vector<std::string> &fault_names)
   {
-    const LevelDescription &level = problem.hierarchy().finest();
-    const auto              n_all = level.nodes.n_global() * dim;
+    const LevelDescription<dim> &level = problem.hierarchy().finest();
+    const auto                   n_all = level.nodes.n_global() * dim;
     summary.add_count("Unknowns", "all", n_all);
-    summary.add_count("Unknowns", "not fixed", n_all - level.fixed.n_masked());
+    summary.add_count("Unknowns",
+                      "not fixed",
+                      n_all - Utilities::MPI::sum(level.fixed.n_masked(
+                                                    level.nodes.n_owned()),
+                                                  level.nodes.communicator()));
     for (unsigned int f = 0; f < fault_names.size(); ++f)
       {
         const FaultContact<dim> &contact = problem.jump_basis().faults()[f];

@@ -10,10 +10,12 @@ namespace StickSlip
 {
   template <int dim>
   FaultNodes<dim>::FaultNodes(const JumpBasis<dim>        &basis,
+                              const NodePartition         &partition,
                               const std::vector<FaultLaw> &laws,
                               const std::vector<double>   &normal_stress)
     : laws(laws)
     , first{0}
+    , partition(partition)
     , stresses(normal_stress)
   {
     AssertDimension(laws.size(), basis.faults().size());
@@ -32,7 +34,7 @@ namespace StickSlip
     AssertDimension(normal_stress.size(), nodes.size());
 
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (active[k])
+      if (active[k] && partition.owned().is_element(nodes[k]))
         contact_positions.push_back(k);
     std::sort(contact_positions.begin(),
               contact_positions.end(),
@@ -60,7 +62,7 @@ namespace StickSlip
     std::vector<std::shared_ptr<const FrictionLaw>> friction_laws;
     for (const unsigned int k : contact_positions)
       {
-        term_nodes.push_back(nodes[k]);
+        term_nodes.push_back(node(k));
         law_indices.push_back(fault_of_node[k]);
         term_weights.push_back(node_weights[k]);
         term_stresses.push_back(stresses[k]);
@@ -113,7 +115,7 @@ namespace StickSlip
   unsigned int
   FaultNodes<dim>::node(const unsigned int k) const
   {
-    return nodes[k];
+    return partition.local_index(nodes[k]);
   }
 
 
@@ -156,7 +158,7 @@ namespace StickSlip
 
   template <int dim>
   const std::vector<unsigned int> &
-  FaultNodes<dim>::contact() const
+  FaultNodes<dim>::owned_contact() const
   {
     return contact_positions;
   }
@@ -199,10 +201,13 @@ namespace StickSlip
   std::vector<Tensor<1, dim - 1>>
   FaultNodes<dim>::tangential_jumps(const NodalVector &w) const
   {
+    const std::vector<Tensor<1, dim>> values =
+      gather_nodes<dim>(w, partition, nodes);
     std::vector<Tensor<1, dim - 1>> jumps(nodes.size());
-    for (const unsigned int k : contact_positions)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        jumps[k][d] = w.local_element(nodes[k] * dim + d);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (active[k])
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          jumps[k][d] = values[k][d];
     return jumps;
   }
 
@@ -213,8 +218,9 @@ namespace StickSlip
   FaultNodes<dim>::l2_norm(const std::vector<double> &values) const
   {
     double sum = 0;
-    for (const unsigned int k : contact_positions)
-      sum += node_weights[k] * values[k] * values[k];
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (active[k])
+        sum += node_weights[k] * values[k] * values[k];
     return std::sqrt(sum);
   }
 

@@ -4,6 +4,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <stickslip/parameters/agreed_failure.h>
 #include <stickslip/time/initial_equilibrium.h>
 
 #include <limits>
@@ -44,10 +45,13 @@ namespace StickSlip
     void
     set_contact_pressure(InitialEquilibrium<dim> &result,
                          const JumpBasis<dim>    &basis,
+                         const NodePartition     &nodes,
                          const NodalVector       &reaction)
     {
       for (const FaultContact<dim> &contact : basis.faults())
         {
+          const std::vector<Tensor<1, dim>> forces =
+            gather_nodes<dim>(reaction, nodes, contact.slave_nodes);
           const MortarCoupling &coupling = contact.coupling;
           // The reaction pushes the slave side up if that is the upper one.
           const double       sign = contact.sides.slave_is_upper() ? 1. : -1.;
@@ -69,10 +73,7 @@ namespace StickSlip
               // The unknown is averaging_factor times the jump of the node,
               // and so is the force on it times the weight.
               result.contact_pressure.push_back(
-                sign *
-                reaction.local_element(contact.slave_nodes[nearest] * dim +
-                                       dim - 1) /
-                coupling.weight[nearest]);
+                sign * forces[nearest][dim - 1] / coupling.weight[nearest]);
             }
         }
     }
@@ -87,8 +88,8 @@ namespace StickSlip
     constexpr double       reduction      = 1e-12;
     constexpr unsigned int max_iterations = 1000;
 
-    LevelHierarchy<dim>    &hierarchy = problem.hierarchy();
-    const LevelDescription &finest    = hierarchy.finest();
+    LevelHierarchy<dim>         &hierarchy = problem.hierarchy();
+    const LevelDescription<dim> &finest    = hierarchy.finest();
 
     std::vector<double> coefficients(3, 0.);
     coefficients[SpatialProblem<dim>::stiffness] = 1.;
@@ -103,12 +104,11 @@ namespace StickSlip
       }
     catch (const SingularCoarseMatrix &error)
       {
-        AssertThrow(false,
-                    ExcMessage("The static equilibrium at the start was not "
-                               "found: " +
-                               std::string(error.what()) +
-                               ". Sizes and materials of the bodies must not "
-                               "be out of all proportion."));
+        throw AgreedFailure("The static equilibrium at the start was not "
+                            "found: " +
+                            std::string(error.what()) +
+                            ". Sizes and materials of the bodies must not be "
+                            "out of all proportion.");
       }
 
     const NodalVector load = problem.load(0.);
@@ -128,10 +128,9 @@ namespace StickSlip
         }
       catch (const SolverControl::NoConvergence &)
         {
-          AssertThrow(false,
-                      ExcMessage(
-                        "The static equilibrium at the start was not found: "
-                        "the boundary conditions must hold every body."));
+          throw AgreedFailure("The static equilibrium at the start was not "
+                              "found: the boundary conditions must hold every "
+                              "body.");
         }
     // Without a load nothing was solved, and the control has no last step.
     if (rhs.l2_norm() > 0.)
@@ -140,8 +139,8 @@ namespace StickSlip
     NodalVector reaction = problem.make_vector();
     hierarchy.matrix().residual(reaction, load, w);
     reaction *= -1.;
-    set_contact_pressure(result, problem.jump_basis(), reaction);
-    result.displacement = problem.make_vector();
+    set_contact_pressure(result, problem.jump_basis(), finest.nodes, reaction);
+    result.displacement = problem.make_nodal_vector();
     problem.to_nodal(result.displacement, w);
     return result;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/time/rate_state_step.h>
 
 #include <cmath>
@@ -94,7 +96,7 @@ namespace StickSlip
     problem.boundary_values().set_velocities(to.time, to.velocity);
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, to.velocity);
-    for (const unsigned int p : problem.jump_basis().contact_nodes())
+    for (const unsigned int p : problem.hierarchy().finest().nonsmooth_nodes)
       w.local_element(p * dim + dim - 1) = 0.;
 
     problem.hierarchy().combine(Newmark::operator_coefficients(tau));
@@ -118,7 +120,8 @@ namespace StickSlip
           result.failure = "the rate problem was not solved within " +
                            std::to_string(rate.iterations.size()) +
                            " iterations";
-        if (tnnmg_parameters.print_iterations)
+        if (tnnmg_parameters.print_iterations &&
+            Utilities::MPI::this_mpi_process(w.get_mpi_communicator()) == 0)
           std::cout << rate;
         ++counts.rate_state_iterations;
         counts.tnnmg_iterations += rate.iterations.size();

@@ -2,14 +2,18 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/mechanics/elastic_assembly.h>
+#include <stickslip/parameters/agreed_failure.h>
 #include <stickslip/time/spatial_problem.h>
+
+#include <algorithm>
 
 namespace StickSlip
 {
   namespace
   {
     /** The components that never take part: prescribed ones, those of hanging
-     * nodes, and the normal jumps, which are zero. */
+     * nodes, and the normal jumps, which are zero. Over the global numbers of
+     * all nodes. */
     template <int dim>
     NodeMask
     fixed_components(const MeshLevel<dim> &level,
@@ -19,10 +23,24 @@ namespace StickSlip
       NodeMask mask = dirichlet;
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
         for (const auto &line : level.bodies[b]->hanging_nodes().get_lines())
-          mask.mask_node(level.node(b, line.index));
-      for (const unsigned int p : basis.contact_nodes())
+          mask.mask_node(level.global_node(b, line.index));
+      for (const auto p : basis.contact_nodes())
         mask.mask(p, dim - 1);
       return mask;
+    }
+
+
+
+    /** The results of @p row for all nodes with a local index. */
+    template <typename Row>
+    std::vector<GlobalRow>
+    local_rows(const NodePartition &nodes, const Row &row)
+    {
+      std::vector<GlobalRow> rows;
+      rows.reserve(nodes.n_local());
+      for (unsigned int i = 0; i < nodes.n_local(); ++i)
+        rows.push_back(row(nodes.global_index(i)));
+      return rows;
     }
   } // namespace
 
@@ -59,58 +77,83 @@ namespace StickSlip
   SpatialProblem<dim>::build_contact(const NodalVector &displacement)
   {
     ++builds;
-    const unsigned int            n_levels = mesh_hierarchy.n_levels();
-    std::vector<LevelDescription> descriptions(n_levels);
+    const unsigned int    n_levels = mesh_hierarchy.n_levels();
+    const MeshLevel<dim> &finest   = mesh_hierarchy.finest();
 
-    std::unique_ptr<JumpBasis<dim>> finer_basis;
-    NodalVector                     level_displacement = displacement;
+    std::vector<JumpBasis<dim>>         bases;
+    std::vector<FaultDisplacement<dim>> displacements =
+      gather_fault_displacements(finest, sides, displacement);
     for (unsigned int l = n_levels; l-- > 0;)
       {
         const MeshLevel<dim> &level = mesh_hierarchy.level(l);
         if (l + 1 < n_levels)
-          {
-            NodalVector injected = level.nodes.make_vector();
-            inject(injected,
-                   level_displacement,
-                   mesh_hierarchy.prolongation(l + 1),
-                   dim);
-            level_displacement = injected;
-          }
-        auto basis = std::make_unique<JumpBasis<dim>>(level,
-                                                      sides,
-                                                      level_displacement,
-                                                      dirichlet_masks[l]);
-
-        descriptions[l].nodes           = level.nodes;
-        descriptions[l].nonsmooth_nodes = basis->contact_nodes();
-        descriptions[l].fixed =
-          fixed_components(level, dirichlet_masks[l], *basis);
-        if (l + 1 < n_levels)
-          descriptions[l + 1].prolongation =
-            jump_prolongation(*basis,
-                              *finer_basis,
-                              mesh_hierarchy.prolongation(l + 1));
-        if (l + 2 == n_levels)
-          finest_basis = std::move(finer_basis);
-        finer_basis = std::move(basis);
+          displacements =
+            inject(level, mesh_hierarchy.level(l + 1), sides, displacements);
+        bases.emplace_back(level, sides, displacements, dirichlet_masks[l]);
       }
-    if (n_levels == 1)
-      finest_basis = std::move(finer_basis);
+    std::reverse(bases.begin(), bases.end());
+    for (unsigned int i = 0; i < bases.back().faults().size(); ++i)
+      if (!(bases.back().faults()[i].coupling.covered_area > 0.))
+        throw AgreedFailure("The two sides of fault " + std::to_string(i + 1) +
+                            " (counted from below) do not touch.");
 
-    for (unsigned int i = 0; i < finest_basis->faults().size(); ++i)
-      AssertThrow(finest_basis->faults()[i].coupling.covered_area > 0.,
-                  ExcMessage("The two sides of fault " + std::to_string(i + 1) +
-                             " (counted from below) do not touch."));
+    // The memory is needed for the new ones.
+    levels.reset();
 
-    GalerkinProduct<dim> to_jump_basis(finest_basis->to_nodal(),
-                                       nodal_terms.front().sparsity());
-    const NodeMask       all(mesh_hierarchy.finest().nodes.n_local(), dim);
+    // From the nodal basis to jumps, and from there down the levels. Each
+    // product tells the ghosts and the sparsity on its coarse side.
+    to_jump_basis = std::make_unique<GalerkinProduct<dim>>(
+      finest.nodes,
+      nodal_terms.front().sparsity(),
+      local_rows(finest.nodes,
+                 [&](const types::global_dof_index node) {
+                   return bases.back().to_nodal(node);
+                 }),
+      finest.nodes.owned());
+    std::vector<LevelDescription<dim>> descriptions(n_levels);
+    descriptions.back().nodes     = to_jump_basis->coarse_nodes();
+    const BlockSparsity *sparsity = to_jump_basis->coarse_sparsity().get();
+    for (unsigned int l = n_levels - 1; l > 0; --l)
+      {
+        LevelDescription<dim> &fine = descriptions[l];
+        fine.to_coarser             = std::make_shared<GalerkinProduct<dim>>(
+          fine.nodes,
+          *sparsity,
+          local_rows(fine.nodes,
+                     [&](const types::global_dof_index node) {
+                       return jump_prolongation(bases[l - 1],
+                                                bases[l],
+                                                mesh_hierarchy.prolongation(l),
+                                                node);
+                     }),
+          mesh_hierarchy.level(l - 1).nodes.owned());
+        descriptions[l - 1].nodes = fine.to_coarser->coarse_nodes();
+        sparsity                  = fine.to_coarser->coarse_sparsity().get();
+      }
+    for (unsigned int l = 0; l < n_levels; ++l)
+      {
+        LevelDescription<dim> &level = descriptions[l];
+        level.nonsmooth_nodes = bases[l].owned_contact_nodes(level.nodes);
+        level.fixed           = fixed_components(mesh_hierarchy.level(l),
+                                       dirichlet_masks[l],
+                                       bases[l])
+                        .local_part(level.nodes);
+      }
+
+    const NodeMask                all(finest.nodes.n_local(), dim);
     std::vector<BlockMatrix<dim>> terms;
     for (const BlockMatrix<dim> &term : nodal_terms)
       {
-        terms.emplace_back(to_jump_basis.coarse_sparsity());
-        to_jump_basis.compute(term, all, terms.back());
+        terms.emplace_back(to_jump_basis->coarse_sparsity());
+        to_jump_basis->compute(term, all, terms.back());
       }
+    std::vector<GlobalRow> inverse_rows;
+    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
+      inverse_rows.push_back(
+        bases.back().to_jumps(finest.nodes.global_index(i)));
+    B_inverse =
+      TransferMatrix(inverse_rows, finest.nodes, to_jump_basis->coarse_nodes());
+    finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
     levels = std::make_unique<LevelHierarchy<dim>>(std::move(descriptions));
     levels->set_terms(std::move(terms));
   }
@@ -157,7 +200,10 @@ namespace StickSlip
   void
   SpatialProblem<dim>::to_jumps(NodalVector &w, const NodalVector &u) const
   {
-    finest_basis->to_jumps().prolongate(w, u, dim);
+    // With the ghosts of the jump basis.
+    NodalVector values = make_vector();
+    std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
+    B_inverse.prolongate(w, values, dim);
   }
 
 
@@ -166,7 +212,7 @@ namespace StickSlip
   void
   SpatialProblem<dim>::to_nodal(NodalVector &u, const NodalVector &w) const
   {
-    finest_basis->to_nodal().prolongate(u, w, dim);
+    to_jump_basis->prolongation().prolongate(u, w, dim);
   }
 
 
@@ -178,7 +224,7 @@ namespace StickSlip
     NodalVector nodal = gravity_load;
     boundary.add_tractions(time, nodal);
     NodalVector dual = make_vector();
-    finest_basis->to_nodal().restrict_to(dual, nodal, dim);
+    to_jump_basis->prolongation().restrict_to(dual, nodal, dim);
     return dual;
   }
 
@@ -196,6 +242,15 @@ namespace StickSlip
   template <int dim>
   NodalVector
   SpatialProblem<dim>::make_vector() const
+  {
+    return levels->finest().nodes.make_vector();
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  SpatialProblem<dim>::make_nodal_vector() const
   {
     return mesh_hierarchy.finest().nodes.make_vector();
   }

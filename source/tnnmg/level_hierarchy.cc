@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/tnnmg/level_hierarchy.h>
 
 #include <algorithm>
@@ -37,13 +39,39 @@ namespace StickSlip
               block[c][d] :
               0.;
     }
+
+
+
+    /** Flags at nodes, as the library's vectors can be exchanged. */
+    NodalVector
+    flag_vector(const NodePartition &nodes)
+    {
+      return NodalVector(nodes.nodes());
+    }
+
+
+
+    /** Which entries are not zero, ghosts brought up to date. */
+    std::vector<bool>
+    flags(const NodalVector &vector)
+    {
+      update_ghosts(vector);
+      const auto       &partitioner = *vector.get_partitioner();
+      std::vector<bool> result(partitioner.locally_owned_size() +
+                               partitioner.n_ghost_indices());
+      for (unsigned int i = 0; i < result.size(); ++i)
+        result[i] = vector.local_element(i) != 0.;
+      return result;
+    }
   } // namespace
 
 
 
   template <int dim>
   LevelHierarchy<dim>::LevelHierarchy(
-    std::vector<LevelDescription> descriptions)
+    std::vector<LevelDescription<dim>> descriptions)
+    : coarse_solver_type(CoarseSolverType::direct)
+    , coarse_solver(make_coarse_solver<dim>(coarse_solver_type))
   {
     levels.resize(descriptions.size());
     for (unsigned int l = 0; l < levels.size(); ++l)
@@ -54,7 +82,16 @@ namespace StickSlip
         level.solution    = level.description.nodes.make_vector();
         level.rhs         = level.solution;
         level.residual    = level.solution;
+
+        NodalVector nonsmooth = flag_vector(level.description.nodes);
+        for (const unsigned int i : level.description.nonsmooth_nodes)
+          nonsmooth.local_element(i) = 1.;
+        level.is_nonsmooth = flags(nonsmooth);
       }
+    const NodePartition &coarsest = levels.front().description.nodes;
+    AssertThrow(coarsest.n_owned() == 0 ||
+                  coarsest.n_owned() == coarsest.n_global(),
+                ExcMessage("The coarsest level must belong to one process."));
   }
 
 
@@ -67,17 +104,14 @@ namespace StickSlip
     levels.back().terms = std::move(terms);
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
-        Level &fine     = levels[l];
-        Level &coarse   = levels[l - 1];
-        fine.to_coarser = GalerkinProduct<dim>(fine.description.prolongation,
-                                               fine.terms.front().sparsity());
+        Level                &fine    = levels[l];
+        Level                &coarse  = levels[l - 1];
+        GalerkinProduct<dim> &product = *fine.description.to_coarser;
         coarse.terms.clear();
         for (const BlockMatrix<dim> &term : fine.terms)
           {
-            coarse.terms.emplace_back(fine.to_coarser.coarse_sparsity());
-            fine.to_coarser.compute(term,
-                                    fine.description.fixed,
-                                    coarse.terms.back());
+            coarse.terms.emplace_back(product.coarse_sparsity());
+            product.compute(term, fine.description.fixed, coarse.terms.back());
           }
       }
     for (Level &level : levels)
@@ -98,31 +132,41 @@ namespace StickSlip
     // H and the truncation change the rows of the nonsmooth nodes and of
     // those coupled to them; on a coarser level also the rows that see such a
     // row of the finer one.
-    std::vector<bool> in_strip;
     for (unsigned int l = levels.size(); l-- > 0;)
       {
         Level               &level    = levels[l];
         const BlockSparsity &sparsity = level.matrix.sparsity();
-        std::vector<bool>    here(sparsity.n_rows(), false);
-        for (const unsigned int i : level.description.nonsmooth_nodes)
+        NodalVector          in_strip = flag_vector(level.description.nodes);
+        if (l + 1 < levels.size())
+          {
+            const Level &fine       = levels[l + 1];
+            NodalVector  fine_strip = flag_vector(fine.description.nodes);
+            for (const unsigned int i : fine.strip)
+              fine_strip.local_element(i) = 1.;
+            const auto &Pt =
+              fine.description.to_coarser->prolongation().transpose();
+            for (unsigned int I = 0; I + 1 < Pt.row_start.size(); ++I)
+              for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1];
+                   ++k)
+                in_strip.local_element(I) +=
+                  fine_strip.local_element(Pt.column[k]);
+            add_ghosts_to_owners(in_strip);
+          }
+        // The sparsity is symmetric.
+        for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
           for (unsigned int k = sparsity.row_start[i];
                k < sparsity.row_start[i + 1];
                ++k)
-            here[sparsity.column[k]] = true;
-        if (l + 1 < levels.size())
-          {
-            const auto &Pt = levels[l + 1].description.prolongation.transpose();
-            for (unsigned int I = 0; I < here.size(); ++I)
-              for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1];
-                   ++k)
-                if (in_strip[Pt.column[k]])
-                  here[I] = true;
-          }
+            if (level.is_nonsmooth[sparsity.column[k]])
+              in_strip.local_element(i) = 1.;
+
+        const std::vector<bool> is_selected = flags(in_strip);
         level.strip.clear();
-        for (unsigned int i = 0; i < here.size(); ++i)
-          if (here[i])
+        for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
+          if (is_selected[i])
             level.strip.push_back(i);
-        in_strip = std::move(here);
+        if (l + 1 < levels.size())
+          levels[l + 1].description.to_coarser->select_rows(is_selected);
       }
   }
 
@@ -159,15 +203,13 @@ namespace StickSlip
   {
     Level &finest = levels.back();
     AssertDimension(hessians.size(), finest.description.nonsmooth_nodes.size());
-    if (is_linearised && hessians == current_hessians &&
-        active == finest.active)
+    const Change change = required_change(hessians, active);
+    if (change == Change::nothing)
       return;
-    const bool keep_coarse_levels = is_linearised && levels.size() > 1 &&
-                                    active == finest.active &&
-                                    are_close(hessians, coarse_hessians);
     current_hessians = hessians;
     is_linearised    = false;
     finest.active    = active;
+    finest.active.update_ghosts(finest.description.nodes);
 
     // The finest matrix keeps the operator A itself: H is added for the time
     // of the product and stays in the inverse of the diagonal only.
@@ -186,7 +228,7 @@ namespace StickSlip
       for (unsigned int k = 0; k < nodes.size(); ++k)
         finest.matrix.set_diagonal_block(nodes[k], diagonal[k]);
     };
-    if (!keep_coarse_levels)
+    if (change == Change::everything)
       try
         {
           linearise_coarse_levels();
@@ -199,6 +241,28 @@ namespace StickSlip
         }
     remove_hessians();
     is_linearised = true;
+  }
+
+
+
+  template <int dim>
+  typename LevelHierarchy<dim>::Change
+  LevelHierarchy<dim>::required_change(
+    const std::vector<Tensor<2, dim>> &hessians,
+    const NodeMask                    &active) const
+  {
+    const Level &finest = levels.back();
+    Change       change = Change::everything;
+    if (is_linearised &&
+        active.is_equal(finest.active, finest.description.nodes.n_owned()))
+      {
+        if (hessians == current_hessians)
+          change = Change::nothing;
+        else if (levels.size() > 1 && are_close(hessians, coarse_hessians))
+          change = Change::finest_level;
+      }
+    return Change(Utilities::MPI::min(static_cast<int>(change),
+                                      finest.description.nodes.communicator()));
   }
 
 
@@ -235,44 +299,55 @@ namespace StickSlip
       {
         Level &coarse = levels[l - 1];
         coarse.active = coarsen_mask(l, levels[l].active);
-        levels[l].to_coarser.compute_rows(levels[l].matrix,
-                                          levels[l].active,
-                                          coarse.strip,
-                                          coarse.matrix);
+        levels[l].description.to_coarser->compute_selected_rows(
+          levels[l].matrix, levels[l].active, coarse.matrix);
         for (const unsigned int i : coarse.strip)
           invert_diagonal_block(coarse.matrix,
                                 i,
                                 coarse.active,
                                 &coarse.inverse_diagonal[i * dim * dim]);
       }
-    coarse_solver.factorize(levels.front().matrix, levels.front().active);
+    // One process does this, and all must know how it ended.
+    const Level &coarsest    = levels.front();
+    int          is_singular = 0;
+    try
+      {
+        if (coarsest.matrix.n_rows() > 0)
+          coarse_solver->set_matrix(coarsest.matrix, coarsest.active);
+      }
+    catch (const SingularCoarseMatrix &)
+      {
+        is_singular = 1;
+      }
+    if (Utilities::MPI::max(is_singular,
+                            coarsest.description.nodes.communicator()) > 0)
+      throw SingularCoarseMatrix();
   }
 
 
 
   template <int dim>
   NodeMask
-  LevelHierarchy<dim>::coarsen_mask(const unsigned int l,
-                                    const NodeMask    &fine) const
+  LevelHierarchy<dim>::coarsen_mask(const unsigned int l, const NodeMask &fine)
   {
-    const LevelDescription &coarse = levels[l - 1].description;
-    const auto             &Pt = levels[l].description.prolongation.transpose();
-    const std::vector<unsigned int> &fine_nodes =
-      levels[l].description.nonsmooth_nodes;
+    const LevelDescription<dim> &coarse = levels[l - 1].description;
+    const auto &P = levels[l].description.to_coarser->prolongation().matrix();
+
+    // How many fine neighbours of the same kind take part.
+    NodalVector &n_active = levels[l - 1].rhs;
+    n_active              = 0.;
+    for (const unsigned int i : levels[l].description.nonsmooth_nodes)
+      for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
+        for (unsigned int c = 0; c < dim; ++c)
+          n_active.local_element(P.column[k] * dim + c) += fine.is_active(i, c);
+    add_ghosts_to_owners(n_active);
 
     NodeMask mask = coarse.fixed;
     for (const unsigned int I : coarse.nonsmooth_nodes)
       for (unsigned int c = 0; c < dim; ++c)
-        {
-          bool any_active = false;
-          for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
-            any_active |= fine.is_active(Pt.column[k], c) &&
-                          std::binary_search(fine_nodes.begin(),
-                                             fine_nodes.end(),
-                                             Pt.column[k]);
-          if (!any_active && mask.is_active(I, c))
-            mask.mask(I, c);
-        }
+        if (n_active.local_element(I * dim + c) == 0. && mask.is_active(I, c))
+          mask.mask(I, c);
+    mask.update_ghosts(coarse.nodes);
     return mask;
   }
 
@@ -316,7 +391,8 @@ namespace StickSlip
     Level &level = levels[l];
     if (l == 0)
       {
-        coarse_solver.solve(x, b);
+        if (level.matrix.n_rows() > 0)
+          coarse_solver->solve(x, b);
         level.active.apply(x);
         return;
       }
@@ -342,21 +418,30 @@ namespace StickSlip
     const unsigned int       n = level.matrix.n_rows();
     x                          = 0.;
     for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
-      Kernels::gauss_seidel_forward<dim>(
-        A, level.inverse_diagonal.data(), 0, n, b.begin(), x.begin());
+      {
+        // Zero is known.
+        if (sweep > 0)
+          update_ghosts(x);
+        Kernels::gauss_seidel_forward<dim>(
+          A, level.inverse_diagonal.data(), 0, n, b.begin(), x.begin());
+      }
 
     level.matrix.residual(level.residual, b, x);
     level.active.apply(level.residual);
-    Level &coarse = levels[l - 1];
-    level.description.prolongation.restrict_to(coarse.rhs, level.residual, dim);
+    Level                &coarse = levels[l - 1];
+    const TransferMatrix &P      = level.description.to_coarser->prolongation();
+    P.restrict_to(coarse.rhs, level.residual, dim);
     coarse.active.apply(coarse.rhs);
     cycle(l - 1, coarse.solution, coarse.rhs);
-    level.description.prolongation.prolongate_add(x, coarse.solution, dim);
+    P.prolongate_add(x, coarse.solution, dim);
     level.active.apply(x);
 
     for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
-      Kernels::gauss_seidel_backward<dim>(
-        A, level.inverse_diagonal.data(), 0, n, b.begin(), x.begin());
+      {
+        update_ghosts(x);
+        Kernels::gauss_seidel_backward<dim>(
+          A, level.inverse_diagonal.data(), 0, n, b.begin(), x.begin());
+      }
 
     if (finest)
       for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -393,10 +478,30 @@ namespace StickSlip
 
 
   template <int dim>
-  const LevelDescription &
+  const LevelDescription<dim> &
   LevelHierarchy<dim>::finest() const
   {
     return levels.back().description;
+  }
+
+
+
+  template <int dim>
+  const LevelDescription<dim> &
+  LevelHierarchy<dim>::description(const unsigned int l) const
+  {
+    AssertIndexRange(l, levels.size());
+    return levels[l].description;
+  }
+
+
+
+  template <int dim>
+  const BlockMatrix<dim> &
+  LevelHierarchy<dim>::level_matrix(const unsigned int l) const
+  {
+    AssertIndexRange(l, levels.size());
+    return levels[l].matrix;
   }
 
 
@@ -415,6 +520,19 @@ namespace StickSlip
   LevelHierarchy<dim>::set_coarse_update_threshold(const double threshold)
   {
     coarse_update_threshold = threshold;
+  }
+
+
+
+  template <int dim>
+  void
+  LevelHierarchy<dim>::set_coarse_solver(const CoarseSolverType type)
+  {
+    if (type == coarse_solver_type)
+      return;
+    coarse_solver_type = type;
+    coarse_solver      = make_coarse_solver<dim>(type);
+    is_linearised      = false;
   }
 
 
@@ -446,7 +564,9 @@ namespace StickSlip
       {
         bytes += level.matrix.memory_consumption() +
                  level.matrix.sparsity().memory_consumption() +
-                 level.description.prolongation.memory_consumption() +
+                 (level.description.to_coarser ?
+                    level.description.to_coarser->memory_consumption() :
+                    0) +
                  sizeof(double) * (level.inverse_diagonal.size() +
                                    3 * level.rhs.locally_owned_size());
         for (const BlockMatrix<dim> &term : level.terms)
@@ -457,6 +577,8 @@ namespace StickSlip
 
 
 
+  template struct LevelDescription<2>;
+  template struct LevelDescription<3>;
   template class LevelHierarchy<2>;
   template class LevelHierarchy<3>;
 } // namespace StickSlip

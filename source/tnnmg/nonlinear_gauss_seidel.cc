@@ -18,6 +18,7 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes = functional.nodes();
     const Kernels::BlockRows         A     = matrix.rows();
 
+    update_ghosts(w);
     unsigned int next = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {

@@ -50,6 +50,15 @@ namespace StickSlip
                "curvature of the friction anew where it has changed by more "
                "than this fraction since the last time, without unit; 0: in "
                "every iteration.");
+    add_choice(prm,
+               "Coarse solver",
+               coarse_solver,
+               {{CoarseSolverType::direct, "direct"},
+                {CoarseSolverType::amg, "AMG"}},
+               "How the coarsest level, which belongs to one process, is "
+               "solved: by factorisation (direct), or, for coarse meshes of "
+               "many thousand cells in three dimensions, by two cycles of "
+               "algebraic multigrid (AMG).");
     add_switch(prm,
                "Print iterations",
                print_iterations,

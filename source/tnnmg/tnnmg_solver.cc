@@ -23,7 +23,8 @@ namespace StickSlip
 
 
 
-    /** phi(w) - phi(v) summed term by term, so that little cancels. */
+    /** phi(w) - phi(v) summed term by term, so that little cancels; over all
+     * processes. */
     template <int dim>
     double
     increase(const NonsmoothFunctional<dim> &functional,
@@ -35,7 +36,28 @@ namespace StickSlip
       for (unsigned int k = 0; k < nodes.size(); ++k)
         sum += functional.value(k, block<dim>(w, nodes[k])) -
                functional.value(k, block<dim>(v, nodes[k]));
-      return sum;
+      return Utilities::MPI::sum(sum, w.get_mpi_communicator());
+    }
+
+
+
+    /** The derivative of phi at w + t d in direction d, over all processes. */
+    template <int dim>
+    double
+    slope_of(const NonsmoothFunctional<dim> &functional,
+             const NodalVector              &w,
+             const NodalVector              &d,
+             const double                    t)
+    {
+      double                           sum   = 0;
+      const std::vector<unsigned int> &nodes = functional.nodes();
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        {
+          const Tensor<1, dim> direction = block<dim>(d, nodes[k]);
+          sum += functional.directional_derivative(
+            k, block<dim>(w, nodes[k]) + t * direction, direction);
+        }
+      return Utilities::MPI::sum(sum, w.get_mpi_communicator());
     }
   } // namespace
 
@@ -57,6 +79,7 @@ namespace StickSlip
   {
     hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
     hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);
+    hierarchy.set_coarse_solver(parameters.coarse_solver);
   }
 
 
@@ -101,17 +124,7 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes = functional.nodes();
     previous                               = w;
 
-    nonlinear_gauss_seidel(hierarchy, functional, b, w);
-    hierarchy.matrix().residual(smoothed_residual, b, w);
-
-    // With r = b - A w, the quadratic part of J changes by
-    // -d . (r_old + r_new) / 2 over a change d of w.
-    correction = w;
-    correction -= previous;
-    summary.smoother_decrease =
-      0.5 * (correction * residual + correction * smoothed_residual) -
-      increase(functional, w, previous);
-
+    smooth(functional, b, w, summary);
     summary.n_truncated = linearise(functional, w);
     cg_residual         = smoothed_residual;
     for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -128,15 +141,7 @@ namespace StickSlip
     const double linear = correction * smoothed_residual;
     const double square = correction * A_correction;
     const auto   slope  = [&](const double t) {
-      double sum = 0;
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        {
-          const Tensor<1, dim> direction = block<dim>(correction, nodes[k]);
-          sum += functional.directional_derivative(
-            k, block<dim>(w, nodes[k]) + t * direction, direction);
-        }
-      return Utilities::MPI::sum(sum, hierarchy.finest().nodes.communicator()) -
-             linear + t * square;
+      return slope_of(functional, w, correction, t) - linear + t * square;
     };
     const LineSearchResult line_search = find_step_length(slope);
     const double           t           = line_search.step_length;
@@ -166,6 +171,45 @@ namespace StickSlip
     cg_residual -= residual;
     summary.iterate_norm = std::sqrt(std::abs(w * cg_residual));
     return summary;
+  }
+
+
+
+  template <int dim>
+  void
+  TNNMGSolver<dim>::smooth(const NonsmoothFunctional<dim> &functional,
+                           const NodalVector              &b,
+                           NodalVector                    &w,
+                           IterationSummary               &summary)
+  {
+    nonlinear_gauss_seidel(hierarchy, functional, b, w);
+    hierarchy.matrix().residual(smoothed_residual, b, w);
+
+    // With r = b - A w, the quadratic part of J changes by
+    // -d . (r_old + r_new) / 2 over a change d of w.
+    correction = w;
+    correction -= previous;
+    const double old_part = correction * residual,
+                 new_part = correction * smoothed_residual;
+    summary.smoother_decrease =
+      0.5 * (old_part + new_part) - increase(functional, w, previous);
+
+    // Where processes move neighbours at the same time they may go too far
+    // together. A d = r_old - r_new.
+    if (residual.get_partitioner()->n_mpi_processes() == 1 ||
+        summary.smoother_decrease >= 0. || !std::isfinite(old_part + new_part))
+      return;
+    const double t               = find_step_length([&](const double s) {
+                       return slope_of(functional, previous, correction, s) -
+                              old_part + s * (old_part - new_part);
+                     }).step_length;
+    summary.smoother_step_length = t;
+    w                            = previous;
+    w.add(t, correction);
+    smoothed_residual.sadd(t, 1. - t, residual);
+    summary.smoother_decrease = t * old_part -
+                                0.5 * t * t * (old_part - new_part) -
+                                increase(functional, w, previous);
   }
 
 
@@ -218,7 +262,7 @@ namespace StickSlip
           }
       }
     hierarchy.linearise(hessians, active);
-    return n_truncated;
+    return Utilities::MPI::sum(n_truncated, w.get_mpi_communicator());
   }
 
 

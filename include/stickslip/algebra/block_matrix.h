@@ -92,7 +92,7 @@ namespace StickSlip
     Kernels::BlockRows
     rows() const;
 
-    /** y = A x. */
+    /** y = A x. Collective among neighbours, like the next. */
     void
     vmult(NodalVector &y, const NodalVector &x) const;
 

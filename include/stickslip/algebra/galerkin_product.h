@@ -6,15 +6,20 @@
 
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
+#include <stickslip/algebra/row_exchange.h>
 #include <stickslip/algebra/transfer_matrix.h>
 
 namespace StickSlip
 {
   /**
    * The products P^T A P of block matrices with one transfer matrix P acting
-   * on each component. The sparsity of the product is found once; its values
-   * can be computed for all or for some of its rows, so that a change of A
-   * near the faults costs only the rows that see it.
+   * on each component. The sparsity of the product and the messages between
+   * processes are found once; its values can be computed for all or for some
+   * of its rows, so that a change of A near the faults costs only the rows that
+   * see it.
+   *
+   * Each process forms the share of its own rows of A; what belongs to coarse
+   * nodes of others is sent to these and added there.
    */
   template <int dim>
   class GalerkinProduct
@@ -22,37 +27,92 @@ namespace StickSlip
   public:
     GalerkinProduct() = default;
 
-    /** The transfer matrix must outlive this object. */
-    GalerkinProduct(const TransferMatrix &transfer, const BlockSparsity &fine);
+    /**
+     * @param fine_nodes The partition of the nodes of A.
+     * @param fine The sparsity of A.
+     * @param prolongation The rows of P, one for each local fine node, in
+     * global numbers of the coarse nodes.
+     * @param owned_coarse The coarse nodes of this process.
+     *
+     * Collective.
+     */
+    GalerkinProduct(const NodePartition          &fine_nodes,
+                    const BlockSparsity          &fine,
+                    const std::vector<GlobalRow> &prolongation,
+                    const IndexSet               &owned_coarse);
+
+    /** The coarse nodes; ghosts are the columns of P and of the product. */
+    const NodePartition &
+    coarse_nodes() const;
+
+    /** P, with rows for owned and ghost fine nodes. */
+    const TransferMatrix &
+    prolongation() const;
 
     const std::shared_ptr<const BlockSparsity> &
     coarse_sparsity() const;
 
     /**
      * All rows of coarse = P^T (S A S) P, where S sets the components masked
-     * by @p fine_mask to zero.
+     * by @p fine_mask to zero; the mask must hold for ghosts too. Collective.
      */
     void
     compute(const BlockMatrix<dim> &fine,
             const NodeMask         &fine_mask,
             BlockMatrix<dim>       &coarse);
 
-    /** The same for the given rows of the coarse matrix only. */
+    /**
+     * Choose the rows of compute_selected_rows(), by the local index of the
+     * coarse node; ghosts are selected where their owners have them selected.
+     * Collective.
+     */
     void
-    compute_rows(const BlockMatrix<dim>          &fine,
-                 const NodeMask                  &fine_mask,
-                 const std::vector<unsigned int> &coarse_rows,
-                 BlockMatrix<dim>                &coarse);
+    select_rows(const std::vector<bool> &is_selected);
+
+    /** The same as compute() for the selected rows only. Collective. */
+    void
+    compute_selected_rows(const BlockMatrix<dim> &fine,
+                          const NodeMask         &fine_mask,
+                          BlockMatrix<dim>       &coarse);
+
+    std::size_t
+    memory_consumption() const;
 
   private:
+    /** Coarse rows to compute, by local index, and how those of ghosts reach
+     * their owners. */
+    struct Rows
+    {
+      std::vector<unsigned int> owned, ghosts;
+      RowExchange               exchange;
+    };
+
+    Rows
+    make_rows(const std::vector<bool> &is_selected) const;
+
+    void
+    compute(const BlockMatrix<dim> &fine,
+            const NodeMask         &fine_mask,
+            const Rows             &rows,
+            BlockMatrix<dim>       &coarse);
+
+    /** The share of this process in one coarse row, whose entries are those of
+     * @p target in row @p target_row. */
     void
     compute_row(const BlockMatrix<dim> &fine,
                 const NodeMask         &fine_mask,
                 const unsigned int      row,
-                BlockMatrix<dim>       &coarse);
+                const BlockSparsity    &target,
+                const unsigned int      target_row,
+                double                 *values);
 
-    const TransferMatrix                *transfer = nullptr;
+    NodePartition                        nodes;
+    TransferMatrix                       transfer;
     std::shared_ptr<const BlockSparsity> sparsity;
+    /** Of the ghosts' rows what this process computes. */
+    BlockSparsity         ghost_sparsity;
+    AlignedVector<double> ghost_values;
+    Rows                  all, selected;
 
     /** Work space: P^T A for one coarse row, as a list of fine columns. */
     std::vector<double>       row_values;

@@ -43,16 +43,27 @@ namespace StickSlip
     unsigned int
     n_nodes() const;
 
-    /** Number of masked components. */
+    /** Number of masked components of the first @p n nodes. */
     unsigned int
-    n_masked() const;
+    n_masked(const unsigned int n) const;
+
+    /** The mask of the local nodes of @p nodes, from this one, which is over
+     * the global numbers of all. */
+    NodeMask
+    local_part(const NodePartition &nodes) const;
+
+    /** Fetch the ghosts' part from their owners. Collective among
+     * neighbours. */
+    void
+    update_ghosts(const NodePartition &nodes);
 
     /** Set the masked entries of @p vector to zero. */
     void
     apply(NodalVector &vector) const;
 
+    /** Whether the masks of the first @p n nodes are the same. */
     bool
-    operator==(const NodeMask &other) const;
+    is_equal(const NodeMask &other, const unsigned int n) const;
 
   private:
     unsigned int              components = 0;

@@ -9,6 +9,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
+#include <vector>
 
 namespace StickSlip
 {
@@ -21,8 +22,33 @@ namespace StickSlip
   using NodalVector = LinearAlgebra::distributed::Vector<double>;
 
   /**
+   * Fetch the values of the ghost nodes from their owners. Collective among
+   * neighbours. Whatever reads ghost values calls this first; the vector's own
+   * flag stays unset, so that the library does not repeat it unasked after each
+   * of its operations.
+   */
+  void
+  update_ghosts(const NodalVector &vector);
+
+  /**
+   * Add the values of the ghost nodes to those of their owners, and set them to
+   * zero. Collective among neighbours.
+   */
+  void
+  add_ghosts_to_owners(NodalVector &vector);
+
+  /**
+   * All entries of a vector in the order of their global numbers, on the first
+   * process; empty on the others. Collective.
+   */
+  std::vector<double>
+  gather_on_first(const NodalVector &vector);
+
+  /**
    * Which nodes of one level this process owns and which others it reads, and
-   * the matching partition of vectors with dim entries a node.
+   * the matching partition of vectors with dim entries a node. Local indices
+   * count the owned nodes in the order of their global numbers, then the
+   * ghosts in the order of theirs.
    */
   class NodePartition
   {
@@ -57,9 +83,21 @@ namespace StickSlip
     const MPI_Comm &
     communicator() const;
 
-    /** Local index of a node given by its global number. */
+    /** The global numbers of the owned nodes. */
+    const IndexSet &
+    owned() const;
+
+    /** Whether the node with this global number is owned or a ghost. */
+    bool
+    is_local(const types::global_dof_index node) const;
+
+    /** Local index of a node given by its global number. It must be local. */
     unsigned int
     local_index(const types::global_dof_index node) const;
+
+    /** Global number of a node given by its local index. */
+    types::global_dof_index
+    global_index(const unsigned int node) const;
 
     /** The partition of the nodes. */
     const std::shared_ptr<const Utilities::MPI::Partitioner> &

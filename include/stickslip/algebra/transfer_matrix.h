@@ -13,39 +13,44 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * A row of a sparse matrix of scalars between nodes, in global numbers of the
+   * columns.
+   */
+  using GlobalRow = std::vector<std::pair<types::global_dof_index, double>>;
+
+  /**
    * A sparse matrix of scalars that maps nodal values of one set of nodes
    * ("coarse", the columns) to another ("fine", the rows), the same way for
    * each component. It serves as prolongation between levels and as change of
    * basis on one level.
+   *
+   * A process holds the rows of its owned fine nodes and, where products with
+   * matrices are to be formed, those of its ghosts; the columns are the owned
+   * coarse nodes and their ghosts.
    */
   class TransferMatrix
   {
   public:
-    /** One row: local column indices and values. */
-    using Row = std::vector<std::pair<unsigned int, double>>;
-
     TransferMatrix() = default;
 
     /**
-     * Entries of a row with the same column are added up; those below 1e-14
-     * in size after that are dropped.
+     * @p rows: one for each local fine node, or for the owned ones only, in
+     * local order. Entries of a row with the same column are added up; those
+     * below 1e-14 in size after that are dropped.
      */
-    TransferMatrix(const std::vector<Row> &rows, const unsigned int n_columns);
+    TransferMatrix(const std::vector<GlobalRow> &rows,
+                   const NodePartition          &fine,
+                   const NodePartition          &coarse);
 
-    static TransferMatrix
-    identity(const unsigned int n);
-
+    /** Number of rows, those of ghosts included. */
     unsigned int
     n_rows() const;
 
     unsigned int
     n_columns() const;
 
-    /** The product this * right. */
-    TransferMatrix
-    operator*(const TransferMatrix &right) const;
-
-    /** fine = P coarse, each node with @p components entries. */
+    /** fine = P coarse, each node with @p components entries. This and the next
+     * two are collective among neighbours. */
     void
     prolongate(NodalVector       &fine,
                const NodalVector &coarse,
@@ -66,7 +71,7 @@ namespace StickSlip
     std::size_t
     memory_consumption() const;
 
-    /** Compressed rows, and the same of the transpose. */
+    /** Compressed rows. */
     struct Compressed
     {
       std::vector<unsigned int> row_start = {0};
@@ -77,12 +82,14 @@ namespace StickSlip
     const Compressed &
     matrix() const;
 
+    /** The transpose of the rows of owned fine nodes. */
     const Compressed &
     transpose() const;
 
   private:
-    Compressed by_row;
-    Compressed by_column;
+    unsigned int n_owned_rows = 0;
+    Compressed   by_row;
+    Compressed   by_column;
   };
 } // namespace StickSlip
 

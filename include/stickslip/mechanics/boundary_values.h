@@ -29,15 +29,17 @@ namespace StickSlip
                    const std::vector<BoundaryCondition<dim>> &conditions,
                    const std::vector<std::string>            &body_names);
 
-    /** The components on level @p l whose velocity is prescribed. */
+    /** The components on level @p l whose velocity is prescribed, over the
+     * global numbers of all nodes. */
     NodeMask
     dirichlet_mask(const unsigned int l) const;
 
-    /** Set the prescribed velocities at @p time, m/s. */
+    /** Set the prescribed velocities of owned nodes at @p time, m/s. */
     void
     set_velocities(const double time, NodalVector &velocity);
 
-    /** Add the load of the prescribed tractions at @p time, N. */
+    /** Add the load of the prescribed tractions at @p time to owned nodes,
+     * N. */
     void
     add_tractions(const double time, NodalVector &load);
 
@@ -51,8 +53,9 @@ namespace StickSlip
       unsigned int                                          body;
       BoundaryCondition<dim>                                condition;
       std::array<std::unique_ptr<FunctionParser<dim>>, dim> values;
-      std::vector<unsigned int>                             nodes;
-      std::vector<Point<dim>>                               points;
+      /** The owned nodes. */
+      std::vector<unsigned int> nodes;
+      std::vector<Point<dim>>   points;
     };
 
     const MeshHierarchy<dim> &meshes;

@@ -17,7 +17,8 @@ namespace StickSlip
    *   M u_tt + C u_t + K u = f,
    *
    * in the nodal basis of one level, the bodies not yet coupled. Hanging nodes
-   * are eliminated: their rows and columns are empty.
+   * are eliminated: their rows and columns are empty. Each process has the rows
+   * of its nodes, assembled from all cells that touch them, without messages.
    */
   template <int dim>
   struct ElasticMatrices

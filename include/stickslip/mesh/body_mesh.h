@@ -78,9 +78,11 @@ namespace StickSlip
     void
     distribute_dofs();
 
-    std::unique_ptr<Triangulation<dim>> mesh;
-    std::unique_ptr<DoFHandler<dim>>    dofs;
-    AffineConstraints<double>           constraints;
+    /** The mesh before any refinement. */
+    std::shared_ptr<const Triangulation<dim>> coarse_cells;
+    std::unique_ptr<Triangulation<dim>>       mesh;
+    std::unique_ptr<DoFHandler<dim>>          dofs;
+    AffineConstraints<double>                 constraints;
   };
 } // namespace StickSlip
 

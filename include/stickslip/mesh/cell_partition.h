@@ -35,6 +35,16 @@ namespace StickSlip
   std::vector<unsigned int>
   vertex_owners(const BodyMesh<dim>             &body,
                 const std::vector<unsigned int> &cell_owners);
+
+  /**
+   * The same for a coarser mesh of the body: the owners of the vertices of the
+   * finer one at the same places.
+   */
+  template <int dim>
+  std::vector<unsigned int>
+  inherited_vertex_owners(const BodyMesh<dim>             &coarse,
+                          const BodyMesh<dim>             &fine,
+                          const std::vector<unsigned int> &fine_owners);
 } // namespace StickSlip
 
 #endif

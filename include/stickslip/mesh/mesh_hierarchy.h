@@ -4,43 +4,33 @@
 #ifndef stickslip_mesh_mesh_hierarchy_h
 #define stickslip_mesh_mesh_hierarchy_h
 
-#include <stickslip/algebra/transfer_matrix.h>
-#include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/mesh_level.h>
+#include <stickslip/mesh/nodal_prolongation.h>
 
 namespace StickSlip
 {
   /**
-   * One level of the hierarchy: a mesh of each body and a common numbering of
-   * their nodes, body after body.
-   */
-  template <int dim>
-  struct MeshLevel
-  {
-    /** From the lowest body to the highest. A body that cannot be coarsened
-     * further appears with the same mesh on several levels. */
-    std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
-
-    /** Number of the first node of each body, and the number of all. */
-    std::vector<types::global_dof_index> first_node;
-
-    NodePartition nodes;
-
-    /** The local index of a degree of freedom of a body. */
-    unsigned int
-    node(const unsigned int body, const types::global_dof_index dof) const;
-  };
-
-  /**
    * The meshes of all bodies on all levels, the coarsest first, and the
    * prolongations of nodal values between them.
+   *
+   * Every process holds all meshes. Which nodes it owns follows from one
+   * partition of the cells of the finest meshes of all bodies, see
+   * partition_cells(): a node belongs to the owner of a finest cell at its
+   * place, on each level. Levels with few nodes are gathered on fewer
+   * processes, the coarsest on one.
    */
   template <int dim>
   class MeshHierarchy
   {
   public:
-    /** Bodies from bottom to top; every inner side is a fault. */
+    /**
+     * Bodies from bottom to top; every inner side is a fault. A level but the
+     * finest is shared by no more processes than there are multiples of
+     * @p min_nodes_per_process in it.
+     */
     MeshHierarchy(const std::vector<BodyGeometry<dim>> &bodies,
-                  const MPI_Comm                       &communicator);
+                  const MPI_Comm                       &communicator,
+                  const unsigned int min_nodes_per_process = 500);
 
     unsigned int
     n_levels() const;
@@ -55,25 +45,18 @@ namespace StickSlip
     finest() const;
 
     /**
-     * Nodal values on level @p l of the functions of level l-1. The rows of
-     * hanging nodes are empty.
+     * Nodal values on level @p l of the functions of level l-1, in global
+     * numbers of nodes. The rows of hanging nodes are empty. There are rows for
+     * the owned nodes and those near to them, and for all nodes of cells at the
+     * faults.
      */
-    const TransferMatrix &
+    const NodalProlongation &
     prolongation(const unsigned int l) const;
 
   private:
-    std::vector<MeshLevel<dim>> levels;
-    std::vector<TransferMatrix> prolongations;
+    std::vector<MeshLevel<dim>>    levels;
+    std::vector<NodalProlongation> prolongations;
   };
-
-  /**
-   * The prolongation between two meshes of one body that differ by at most
-   * one refinement of each cell: row i holds the values of the coarse basis
-   * functions at the fine node i, in the numbers of the two DoFHandlers.
-   */
-  template <int dim>
-  std::vector<TransferMatrix::Row>
-  nodal_prolongation(const BodyMesh<dim> &coarse, const BodyMesh<dim> &fine);
 } // namespace StickSlip
 
 #endif

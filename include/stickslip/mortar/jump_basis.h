@@ -5,48 +5,26 @@
 #define stickslip_mortar_jump_basis_h
 
 #include <stickslip/algebra/node_mask.h>
-#include <stickslip/algebra/transfer_matrix.h>
-#include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/mesh/nodal_prolongation.h>
 #include <stickslip/mortar/dual_mortar.h>
+#include <stickslip/mortar/fault_displacement.h>
+
+#include <map>
 
 namespace StickSlip
 {
   /**
-   * Which side of a fault carries the multipliers and the jumps.
-   */
-  struct FaultSides
-  {
-    unsigned int       slave_body, master_body;
-    types::boundary_id slave_side, master_side;
-
-    bool
-    slave_is_upper() const
-    {
-      return slave_body > master_body;
-    }
-  };
-
-  /**
-   * The sides of the fault between the bodies @p lower and lower + 1: slave is
-   * the one with the smaller faces on average; the upper one if they are
-   * equal.
-   */
-  template <int dim>
-  FaultSides
-  choose_fault_sides(const MeshLevel<dim> &level, const unsigned int lower);
-
-  /**
-   * One fault on one level: the local indices of the nodes on both sides, in
+   * One fault on one level: the global numbers of the nodes on both sides, in
    * the order of the surfaces, and how they are coupled.
    */
   template <int dim>
   struct FaultContact
   {
-    FaultSides                sides;
-    FaultSurface<dim>         slave_surface;
-    std::vector<unsigned int> slave_nodes;
-    std::vector<unsigned int> master_nodes;
-    MortarCoupling            coupling;
+    FaultSides                           sides;
+    FaultSurface<dim>                    slave_surface;
+    std::vector<types::global_dof_index> slave_nodes;
+    std::vector<types::global_dof_index> master_nodes;
+    MortarCoupling                       coupling;
 
     /** Diameter of the smallest face of the two sides, m. */
     double smallest_face = 0;
@@ -64,6 +42,9 @@ namespace StickSlip
    *
    * Components keep the axes of space; on a horizontal fault the last one is
    * normal to it, the others are tangential.
+   *
+   * Every process knows the coupling of all faults. B is the identity but for
+   * rows of slave nodes, so that any row is known everywhere.
    */
   template <int dim>
   class JumpBasis
@@ -71,59 +52,54 @@ namespace StickSlip
   public:
     /**
      * @param level The meshes.
-     * @param sides One entry a fault, from bottom to top.
-     * @param displacement Nodal values on this level; the fault is coupled
-     *   as it is after this displacement. Entries apart from the faults are
-     *   not used.
+     * @param displacements The fault is coupled as it is after these.
+     * @param sides, displacements One entry a fault, from bottom to top.
      * @param dirichlet Nodes with a component masked here are no contact
-     *   nodes.
+     *   nodes; over the global numbers of the level.
      */
-    JumpBasis(const MeshLevel<dim>          &level,
-              const std::vector<FaultSides> &sides,
-              const NodalVector             &displacement,
-              const NodeMask                &dirichlet);
+    JumpBasis(const MeshLevel<dim>                      &level,
+              const std::vector<FaultSides>             &sides,
+              const std::vector<FaultDisplacement<dim>> &displacements,
+              const NodeMask                            &dirichlet);
 
     const std::vector<FaultContact<dim>> &
     faults() const;
 
-    /** B. */
-    const TransferMatrix &
-    to_nodal() const;
+    /** A row of B. */
+    GlobalRow
+    to_nodal(const types::global_dof_index node) const;
 
-    /** The inverse of B. */
-    const TransferMatrix &
-    to_jumps() const;
+    /** A row of the inverse of B. */
+    GlobalRow
+    to_jumps(const types::global_dof_index node) const;
 
-    /** Local indices of the active slave nodes of all faults, ascending. */
-    const std::vector<unsigned int> &
+    /** Global numbers of the active slave nodes of all faults, ascending. */
+    const std::vector<types::global_dof_index> &
     contact_nodes() const;
 
+    /** Local indices of those that this process owns, ascending. */
+    std::vector<unsigned int>
+    owned_contact_nodes(const NodePartition &nodes) const;
+
   private:
-    std::vector<FaultContact<dim>> contacts;
-    TransferMatrix                 B;
-    TransferMatrix                 B_inverse;
-    std::vector<unsigned int>      active_nodes;
+    std::vector<FaultContact<dim>>       contacts;
+    std::vector<types::global_dof_index> active_nodes;
+
+    /** For each active slave node its averaging factor and the partners whose
+     * weighted values are the other side of the jump. */
+    std::map<types::global_dof_index, std::pair<double, GlobalRow>> jumps;
   };
 
   /**
-   * The prolongation between the jump bases of two levels, B_f^-1 P B_c: jumps
-   * stay jumps.
+   * A row of the prolongation between the jump bases of two levels,
+   * B_f^-1 P B_c, for a node of the finer one: jumps stay jumps.
    */
   template <int dim>
-  TransferMatrix
-  jump_prolongation(const JumpBasis<dim> &coarse,
-                    const JumpBasis<dim> &fine,
-                    const TransferMatrix &nodal_prolongation);
-
-  /**
-   * The values of a nodal vector of the fine level at the nodes of the coarse
-   * level that sit at the same places; zero at the others.
-   */
-  void
-  inject(NodalVector          &coarse,
-         const NodalVector    &fine,
-         const TransferMatrix &nodal_prolongation,
-         const unsigned int    components);
+  GlobalRow
+  jump_prolongation(const JumpBasis<dim>         &coarse,
+                    const JumpBasis<dim>         &fine,
+                    const NodalProlongation      &prolongation,
+                    const types::global_dof_index node);
 } // namespace StickSlip
 
 #endif

@@ -11,8 +11,10 @@ namespace StickSlip
   /**
    * While an object of this class lives, the signals SIGINT (Ctrl-C) and
    * SIGTERM do not end the program but are noted, so that the run can stop
-   * after the current step with all files complete. A second signal ends the
-   * program at once.
+   * after the current step with all files complete. A second signal some
+   * seconds later ends the program at once; one right after the first is taken
+   * for the same, since mpirun passes on what a terminal sends to all by
+   * itself.
    */
   class Interrupt
   {

@@ -21,6 +21,10 @@ namespace StickSlip
   /**
    * All files of one run: decides what of a step is written where, and keeps
    * what is there complete at any moment.
+   *
+   * The first process writes for all, which have objects of this class and take
+   * the same decisions. All member functions but those that tell something are
+   * collective; if a file cannot be written, all processes throw.
    */
   template <int dim>
   class RunRecord
@@ -44,34 +48,41 @@ namespace StickSlip
     void
     finish(const RunSummary &summary);
 
-    const std::vector<SlipEvent> &
-    events() const;
-
-    /** The summary as far as the records know: the events. */
-    void
-    summarise(RunSummary &summary) const;
-
   private:
+    /** Write the parts asked for of the last step; the volume's is
+     * gathered first. */
     void
-    write_fault_history();
+    write(const bool series, const bool fault_history, const bool volume);
 
     void
-    write_volume_now();
+    write_volume_now(const std::vector<double> &displacement,
+                     const std::vector<double> &velocity);
+
+    /** What only the process has that writes. */
+    struct Files
+    {
+      Files(const SceneParameters<dim>            &scene,
+            const std::vector<FaultSnapshot<dim>> &faults);
+
+      const OutputDirectory directory;
+      TimeSeries<dim>       time_series;
+      EventCatalogue<dim>   catalogue;
+      FaultHistory<dim>     history;
+      PvdRecord             pvd;
+      Progress              progress;
+    };
 
     const SceneParameters<dim> &scene;
     const MeshLevel<dim>       &level;
-    const OutputDirectory       directory;
-    TimeSeries<dim>             time_series;
-    EventCatalogue<dim>         catalogue;
-    FaultHistory<dim>           history;
-    PvdRecord                   pvd;
-    Progress                    progress;
+    const MPI_Comm              communicator;
+    std::unique_ptr<Files>      files;
     OutputCadence               fault_cadence;
     OutputCadence               volume_cadence;
 
     unsigned int n_volumes = 0;
 
-    /** The last step taken in, and whether it is in the files. */
+    /** The last step taken in, and whether it is in the files; of the fault
+     * history only the process knows that writes. */
     StepRecord                      last_step;
     const SystemState<dim>         *last_state = nullptr;
     std::vector<FaultSnapshot<dim>> last_faults;

@@ -28,6 +28,10 @@ namespace StickSlip
    * order of its surface. State, slip and normal stress are arrays over these
    * nodes; they stay with the nodes when the contact mapping changes. Friction
    * acts on those of them that are in contact.
+   *
+   * Every process has the arrays of all slave nodes, and computes the same with
+   * them: decisions that depend on them need no messages. The functional of
+   * friction has the nodes that the process owns.
    */
   template <int dim>
   class FaultNodes
@@ -36,10 +40,11 @@ namespace StickSlip
     FaultNodes() = default;
 
     /**
-     * @p laws: one entry a fault; @p normal_stress: one entry a slave node,
-     * Pa.
+     * @p partition: of vectors of the jump basis; @p laws: one entry a fault;
+     * @p normal_stress: one entry a slave node, Pa.
      */
     FaultNodes(const JumpBasis<dim>        &basis,
+               const NodePartition         &partition,
                const std::vector<FaultLaw> &laws,
                const std::vector<double>   &normal_stress);
 
@@ -58,7 +63,7 @@ namespace StickSlip
     const FaultLaw &
     law(const unsigned int k) const;
 
-    /** Local index of the slave node in nodal vectors. */
+    /** Local index in nodal vectors of a slave node that this process owns. */
     unsigned int
     node(const unsigned int k) const;
 
@@ -78,24 +83,24 @@ namespace StickSlip
     const std::vector<double> &
     relative_normal_stress() const;
 
-    /** The positions of the nodes that are in contact, in the order of the
-     * terms of friction(). */
+    /** The positions of the owned nodes that are in contact, in the order of
+     * the terms of friction(). */
     const std::vector<unsigned int> &
-    contact() const;
+    owned_contact() const;
 
-    /** The functional of friction. */
+    /** The functional of friction on the owned nodes. */
     FaultFriction<dim> &
     friction();
 
     const FaultFriction<dim> &
     friction() const;
 
-    /** Hand the state of all slave nodes to the functional. */
+    /** Hand the state to the functional. */
     void
     set_state(const std::vector<double> &alpha);
 
     /** The tangential jump at each slave node from a vector of the jump basis,
-     * slave relative to master; zero off contact. */
+     * slave relative to master; zero off contact. Collective. */
     std::vector<Tensor<1, dim - 1>>
     tangential_jumps(const NodalVector &w) const;
 
@@ -105,16 +110,18 @@ namespace StickSlip
     l2_norm(const std::vector<double> &values) const;
 
   private:
-    std::vector<FaultLaw>               laws;
-    std::vector<unsigned int>           first;
-    std::vector<unsigned int>           fault_of_node;
-    std::vector<unsigned int>           nodes;
-    std::vector<bool>                   active;
-    std::vector<double>                 node_weights;
-    std::vector<double>                 stresses;
-    std::vector<double>                 relative_stresses;
-    std::vector<unsigned int>           contact_positions;
-    std::unique_ptr<FaultFriction<dim>> functional;
+    std::vector<FaultLaw>     laws;
+    std::vector<unsigned int> first;
+    std::vector<unsigned int> fault_of_node;
+    NodePartition             partition;
+    /** Global numbers. */
+    std::vector<types::global_dof_index> nodes;
+    std::vector<bool>                    active;
+    std::vector<double>                  node_weights;
+    std::vector<double>                  stresses;
+    std::vector<double>                  relative_stresses;
+    std::vector<unsigned int>            contact_positions;
+    std::unique_ptr<FaultFriction<dim>>  functional;
   };
 } // namespace StickSlip
 

@@ -23,6 +23,8 @@ namespace StickSlip
    * in the jump basis that belongs to the current contact mapping, with the
    * level hierarchy of M, C and K. Vectors of displacement, velocity and load
    * are nodal; the hierarchy works on unknowns w of the jump basis, u = B w.
+   * Both have the same owned entries, and different ghosts; those of the jump
+   * basis change with the contact mapping.
    */
   template <int dim>
   class SpatialProblem
@@ -63,7 +65,7 @@ namespace StickSlip
     const JumpBasis<dim> &
     jump_basis() const;
 
-    /** w = B^-1 u. */
+    /** w = B^-1 u. This, the next and load() are collective. */
     void
     to_jumps(NodalVector &w, const NodalVector &u) const;
 
@@ -78,23 +80,30 @@ namespace StickSlip
     BoundaryValues<dim> &
     boundary_values();
 
+    /** A zero vector of the jump basis. */
     NodalVector
     make_vector() const;
+
+    /** A zero vector of nodal values. */
+    NodalVector
+    make_nodal_vector() const;
 
     /** Number of times build_contact() was called. */
     unsigned int
     n_builds() const;
 
   private:
-    const MeshHierarchy<dim>            &mesh_hierarchy;
-    BoundaryValues<dim>                 &boundary;
-    std::vector<FaultSides>              sides;
-    std::vector<BlockMatrix<dim>>        nodal_terms;
-    NodalVector                          gravity_load;
-    std::vector<NodeMask>                dirichlet_masks;
-    std::unique_ptr<JumpBasis<dim>>      finest_basis;
-    std::unique_ptr<LevelHierarchy<dim>> levels;
-    unsigned int                         builds = 0;
+    const MeshHierarchy<dim>             &mesh_hierarchy;
+    BoundaryValues<dim>                  &boundary;
+    std::vector<FaultSides>               sides;
+    std::vector<BlockMatrix<dim>>         nodal_terms;
+    NodalVector                           gravity_load;
+    std::vector<NodeMask>                 dirichlet_masks;
+    std::unique_ptr<JumpBasis<dim>>       finest_basis;
+    std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
+    TransferMatrix                        B_inverse;
+    std::unique_ptr<LevelHierarchy<dim>>  levels;
+    unsigned int                          builds = 0;
   };
 } // namespace StickSlip
 

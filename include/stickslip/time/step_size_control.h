@@ -4,6 +4,7 @@
 #ifndef stickslip_time_step_size_control_h
 #define stickslip_time_step_size_control_h
 
+#include <stickslip/parameters/agreed_failure.h>
 #include <stickslip/time/rate_state_step.h>
 
 #include <exception>
@@ -15,10 +16,10 @@ namespace StickSlip
   /**
    * Thrown when no step down to the smallest one can be taken.
    */
-  class StepSizeTooSmall : public std::runtime_error
+  class StepSizeTooSmall : public AgreedFailure
   {
   public:
-    using std::runtime_error::runtime_error;
+    using AgreedFailure::AgreedFailure;
   };
 
   /**

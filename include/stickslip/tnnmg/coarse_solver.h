@@ -24,34 +24,39 @@ namespace StickSlip
   };
 
   /**
-   * Direct solution on the coarsest level, through UMFPACK. Masked components
-   * are zero.
+   * How the coarsest level is solved.
+   */
+  enum class CoarseSolverType
+  {
+    /** By factorisation. */
+    direct,
+    /** By cycles of an algebraic multigrid method. */
+    amg
+  };
+
+  /**
+   * Solution on the coarsest level, a symmetric linear map of the right hand
+   * side. Masked components are zero. The nodes all belong to the process that
+   * has an object of this class.
    */
   template <int dim>
   class CoarseSolver
   {
   public:
-    CoarseSolver();
+    virtual ~CoarseSolver() = default;
 
-    ~CoarseSolver();
+    /** Prepare for a matrix. Throws SingularCoarseMatrix. */
+    virtual void
+    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) = 0;
 
-    CoarseSolver(CoarseSolver &&) noexcept;
-
-    CoarseSolver &
-    operator=(CoarseSolver &&) noexcept;
-
-    /** Throws SingularCoarseMatrix. */
-    void
-    factorize(const BlockMatrix<dim> &matrix, const NodeMask &mask);
-
-    /** x = A^-1 b. */
-    void
-    solve(NodalVector &x, const NodalVector &b);
-
-  private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation;
+    /** x = A^-1 b, or an approximation. */
+    virtual void
+    solve(NodalVector &x, const NodalVector &b) = 0;
   };
+
+  template <int dim>
+  std::unique_ptr<CoarseSolver<dim>>
+  make_coarse_solver(const CoarseSolverType type);
 } // namespace StickSlip
 
 #endif

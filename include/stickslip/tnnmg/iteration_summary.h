@@ -19,6 +19,10 @@ namespace StickSlip
     double smoother_decrease   = 0;
     double correction_decrease = 0;
 
+    /** Length of the change by the smoother, 1 unless processes went too far
+     * together. */
+    double smoother_step_length = 1;
+
     /** Energy norms of the change of the iterate and of the iterate. */
     double correction_norm = 0;
     double iterate_norm    = 0;

@@ -14,18 +14,20 @@ namespace StickSlip
   /**
    * What the solver is told of one level.
    */
+  template <int dim>
   struct LevelDescription
   {
     NodePartition nodes;
 
-    /** From the next coarser level to this one; empty on the coarsest. */
-    TransferMatrix prolongation;
+    /** Leads to the next coarser level, whose nodes are its coarse nodes; empty
+     * on the coarsest level. */
+    std::shared_ptr<GalerkinProduct<dim>> to_coarser;
 
-    /** The components that never take part. */
+    /** The components that never take part, of owned nodes and ghosts. */
     NodeMask fixed;
 
     /**
-     * The nodes with a nonsmooth term, in ascending order; on the coarser
+     * The owned nodes with a nonsmooth term, in ascending order; on the coarser
      * levels the nodes that stand for such nodes. A component of such a
      * coarse node is truncated if it is at all its fine neighbours of the
      * same kind.
@@ -44,13 +46,17 @@ namespace StickSlip
    * computed once; a change of the coefficients costs a linear combination on
    * each level, a change of H or S the products of the rows near the nonsmooth
    * nodes.
+   *
+   * All member functions that compute are collective. Gauss-Seidel acts on the
+   * nodes of each process, with the values of the others as they were before
+   * the sweep. The coarsest level must belong to one process.
    */
   template <int dim>
   class LevelHierarchy
   {
   public:
     /** The coarsest level first. */
-    explicit LevelHierarchy(std::vector<LevelDescription> descriptions);
+    explicit LevelHierarchy(std::vector<LevelDescription<dim>> descriptions);
 
     LevelHierarchy(const LevelHierarchy &) = delete;
 
@@ -98,8 +104,16 @@ namespace StickSlip
     const AlignedVector<double> &
     inverse_diagonal() const;
 
-    const LevelDescription &
+    const LevelDescription<dim> &
     finest() const;
+
+    const LevelDescription<dim> &
+    description(const unsigned int l) const;
+
+    /** The operator on level @p l; below the finest one that of the last
+     * linearisation near the nonsmooth nodes. */
+    const BlockMatrix<dim> &
+    level_matrix(const unsigned int l) const;
 
     unsigned int
     n_levels() const;
@@ -114,26 +128,34 @@ namespace StickSlip
     void
     set_coarse_update_threshold(const double threshold);
 
+    /** How the coarsest level is solved; by factorisation from the start. Asks
+     * for a new linearisation if this is another one. */
+    void
+    set_coarse_solver(const CoarseSolverType type);
+
     /** Number of V-cycles since the construction. */
     unsigned long
     n_cycles() const;
 
+    /** Bytes on this process. */
     std::size_t
     memory_consumption() const;
 
   private:
     struct Level
     {
-      LevelDescription description;
+      LevelDescription<dim> description;
 
-      GalerkinProduct<dim>          to_coarser;
       std::vector<BlockMatrix<dim>> terms;
       BlockMatrix<dim>              matrix;
       AlignedVector<double>         inverse_diagonal;
 
-      /** The rows that a change of H or of the truncation can touch. */
+      /** The owned rows that a change of H or of the truncation can touch. */
       std::vector<unsigned int> strip;
       NodeMask                  active;
+
+      /** One at the nonsmooth nodes and their ghosts, zero elsewhere. */
+      std::vector<bool> is_nonsmooth;
 
       NodalVector solution, rhs, residual;
     };
@@ -141,8 +163,22 @@ namespace StickSlip
     void
     find_strips();
 
+    /** How much of a linearisation has to be done again. */
+    enum class Change
+    {
+      everything   = 0,
+      finest_level = 1,
+      nothing      = 2
+    };
+
+    /** What a change of H and of the components that take part asks for; the
+     * same on all processes. */
+    Change
+    required_change(const std::vector<Tensor<2, dim>> &hessians,
+                    const NodeMask                    &active) const;
+
     /** Whether no block of @p a differs from that of @p b by more than the
-     * threshold. */
+     * threshold, on this process. */
     bool
     are_close(const std::vector<Tensor<2, dim>> &a,
               const std::vector<Tensor<2, dim>> &b) const;
@@ -152,19 +188,21 @@ namespace StickSlip
     linearise_coarse_levels();
 
     NodeMask
-    coarsen_mask(const unsigned int l, const NodeMask &fine) const;
+    coarsen_mask(const unsigned int l, const NodeMask &fine);
 
     void
     cycle(const unsigned int l, NodalVector &x, const NodalVector &b);
 
-    std::vector<Level>          levels;
-    CoarseSolver<dim>           coarse_solver;
-    std::vector<double>         current_coefficients;
-    std::vector<Tensor<2, dim>> current_hessians, coarse_hessians;
-    double                      coarse_update_threshold = 0;
-    bool                        is_linearised           = false;
-    unsigned int                sweeps                  = 1;
-    unsigned long               cycle_count             = 0;
+    std::vector<Level> levels;
+    /** Only where the coarsest level is. */
+    CoarseSolverType                   coarse_solver_type;
+    std::unique_ptr<CoarseSolver<dim>> coarse_solver;
+    std::vector<double>                current_coefficients;
+    std::vector<Tensor<2, dim>>        current_hessians, coarse_hessians;
+    double                             coarse_update_threshold = 0;
+    bool                               is_linearised           = false;
+    unsigned int                       sweeps                  = 1;
+    unsigned long                      cycle_count             = 0;
   };
 } // namespace StickSlip
 

@@ -16,7 +16,10 @@ namespace StickSlip
    *
    * over the components that are not fixed: exact minimisation node after
    * node, by the inverse of the diagonal block where phi has no term and by
-   * phi's own local minimiser where it has one. The energy never increases.
+   * phi's own local minimiser where it has one. On one process the energy never
+   * increases. On several each acts on its own nodes, with the values of the
+   * others as they were before the sweep: that the energy does not increase is
+   * for the caller to see to.
    */
   template <int dim>
   void

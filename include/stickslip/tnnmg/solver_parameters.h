@@ -6,6 +6,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <stickslip/tnnmg/coarse_solver.h>
+
 namespace StickSlip
 {
   using namespace dealii;
@@ -41,6 +43,9 @@ namespace StickSlip
      * anew where it has changed by more than this fraction since the last time.
      */
     double coarse_update_threshold = 0.5;
+
+    /** How the coarsest level is solved. */
+    CoarseSolverType coarse_solver = CoarseSolverType::direct;
 
     /** Print a line for every iteration. */
     bool print_iterations = false;

@@ -28,7 +28,8 @@ namespace StickSlip
    *   4. a line search.
    *
    * J decreases in every iteration, which makes the method converge from any
-   * initial iterate.
+   * initial iterate. On several processes, whose sweeps do not see each other,
+   * the change by the sweep is shortened where J would increase.
    */
   template <int dim>
   class TNNMGSolver
@@ -66,6 +67,13 @@ namespace StickSlip
     has_converged(const IterationSummary &summary) const;
 
   private:
+    /** Step 1, from the iterate in previous; J does not increase. */
+    void
+    smooth(const NonsmoothFunctional<dim> &functional,
+           const NodalVector              &b,
+           NodalVector                    &w,
+           IterationSummary               &summary);
+
     /** Truncate and linearise phi at @p w; returns the number of truncated
      * components. */
     unsigned int

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mesh_mesh_level_h
+#define stickslip_mesh_mesh_level_h
+
+#include <stickslip/algebra/node_partition.h>
+#include <stickslip/mesh/body_mesh.h>
+
+namespace StickSlip
+{
+  /**
+   * One level of the hierarchy: a mesh of each body and a common numbering of
+   * their nodes, by owner, and for each owner body after body in the order of
+   * the bodies' DoFHandlers. On one process that is body after body.
+   *
+   * What is said here of nodes is known to every process for all nodes, but
+   * for local indices.
+   */
+  template <int dim>
+  struct MeshLevel
+  {
+    /** From the lowest body to the highest. A body that cannot be coarsened
+     * further appears with the same mesh on several levels. */
+    std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
+
+    /** The owned nodes; ghosts are the nodes of all cells that touch an owned
+     * node. */
+    NodePartition nodes;
+
+    MeshLevel() = default;
+
+    /**
+     * @p node_owners: the process of each node, body after body. Collective.
+     */
+    MeshLevel(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+              const std::vector<unsigned int> &node_owners,
+              const MPI_Comm                  &communicator);
+
+    /** Number of nodes of all bodies. */
+    types::global_dof_index
+    n_nodes() const;
+
+    /** The global number of the node at a degree of freedom of a body. */
+    types::global_dof_index
+    global_node(const unsigned int            body,
+                const types::global_dof_index dof) const;
+
+    /** The local index of a node, which must be owned or a ghost. */
+    unsigned int
+    node(const unsigned int body, const types::global_dof_index dof) const;
+
+    /** The nodes and weights to which the value at a degree of freedom is
+     * bound: the node itself, or the masters of a hanging one. */
+    std::vector<std::pair<types::global_dof_index, double>>
+    resolve(const unsigned int body, const types::global_dof_index dof) const;
+
+    /** The trace of a body on one of its sides. */
+    const FaultSurface<dim> &
+    surface(const unsigned int body, const types::boundary_id side) const;
+
+    /** Global numbers of the nodes of all cells at faults, those to which
+     * hanging ones are bound. */
+    const IndexSet &
+    strip() const;
+
+  private:
+    IndexSet
+    find_ghosts(const IndexSet &owned) const;
+
+    IndexSet
+    find_strip() const;
+
+    /** Position in global_numbers of the first node of each body. */
+    std::vector<types::global_dof_index> first_node;
+    std::vector<types::global_dof_index> global_numbers;
+    /** Lower and upper side of each body. */
+    std::vector<std::array<FaultSurface<dim>, 2>> surfaces;
+    IndexSet                                      strip_nodes;
+  };
+} // namespace StickSlip
+
+#endif

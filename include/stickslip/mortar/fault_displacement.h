@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mortar_fault_displacement_h
+#define stickslip_mortar_fault_displacement_h
+
+#include <deal.II/base/tensor.h>
+
+#include <stickslip/mortar/fault_sides.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * Displacements of the nodes on both sides of one fault, m, in the order of
+   * the surfaces. Every process has those of all nodes: what is exchanged of
+   * the geometry is of the size of the faults.
+   */
+  template <int dim>
+  struct FaultDisplacement
+  {
+    std::vector<Tensor<1, dim>> slave, master;
+  };
+
+  /**
+   * The values at given nodes, by global number, of a nodal vector: the same on
+   * all processes. Collective.
+   */
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  gather_nodes(const NodalVector                          &values,
+               const NodePartition                        &partition,
+               const std::vector<types::global_dof_index> &nodes);
+
+  /**
+   * The displacements of all faults. Collective.
+   */
+  template <int dim>
+  std::vector<FaultDisplacement<dim>>
+  gather_fault_displacements(const MeshLevel<dim>          &level,
+                             const std::vector<FaultSides> &sides,
+                             const NodalVector             &displacement);
+
+  /**
+   * The same on a coarser level, whose nodes are at places of nodes of the
+   * finer one.
+   */
+  template <int dim>
+  std::vector<FaultDisplacement<dim>>
+  inject(const MeshLevel<dim>                      &coarse,
+         const MeshLevel<dim>                      &fine,
+         const std::vector<FaultSides>             &sides,
+         const std::vector<FaultDisplacement<dim>> &displacements);
+} // namespace StickSlip
+
+#endif

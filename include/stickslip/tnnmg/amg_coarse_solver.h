@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_amg_coarse_solver_h
+#define stickslip_tnnmg_amg_coarse_solver_h
+
+#include <stickslip/tnnmg/coarse_solver.h>
+#include <stickslip/tnnmg/trilinos_system.h>
+
+namespace ML_Epetra
+{
+  class MultiLevelPreconditioner;
+}
+
+namespace StickSlip
+{
+  /**
+   * Some cycles of smoothed aggregation with ML of Trilinos, with the
+   * translations as near null space: for coarsest levels too large to
+   * factorise, as those of meshes that come with little or no hierarchy.
+   */
+  template <int dim>
+  class AMGCoarseSolver : public CoarseSolver<dim>
+  {
+  public:
+    AMGCoarseSolver();
+
+    ~AMGCoarseSolver() override;
+
+    void
+    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+
+    void
+    solve(NodalVector &x, const NodalVector &b) override;
+
+  private:
+    TrilinosSystem<dim>                                  system;
+    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycles;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/fe/fe.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <stickslip/algebra/index_set.h>
+#include <stickslip/mesh/nodal_prolongation.h>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /**
+     * Walks the trees of a fine and a coarse mesh of one body together. Below
+     * an active coarse cell, @p values holds the coarse cell's basis functions
+     * at the vertices of the current fine cell.
+     */
+    template <int dim>
+    class TreeWalk
+    {
+    public:
+      TreeWalk(const MeshLevel<dim>   &coarse,
+               const MeshLevel<dim>   &fine,
+               const unsigned int      body,
+               const IndexSet         &wanted,
+               std::vector<GlobalRow> &rows)
+        : coarse(coarse)
+        , fine(fine)
+        , body(body)
+        , wanted(wanted)
+        , rows(rows)
+        , coarse_dofs(coarse.bodies[body]->dof_handler().get_fe().dofs_per_cell)
+        , fine_dofs(coarse_dofs.size())
+      {}
+
+      void
+      walk()
+      {
+        auto coarse_cell = coarse.bodies[body]->dof_handler().begin(0);
+        const DoFHandler<dim> &fine_dof_handler =
+          fine.bodies[body]->dof_handler();
+        for (auto fine_cell = fine_dof_handler.begin(0);
+             fine_cell != fine_dof_handler.end(0);
+             ++fine_cell, ++coarse_cell)
+          both(fine_cell, coarse_cell);
+      }
+
+    private:
+      using Cell = typename DoFHandler<dim>::cell_iterator;
+
+      void
+      both(const Cell &fine_cell, const Cell &coarse_cell)
+      {
+        if (coarse_cell->is_active())
+          {
+            coarse_cell->get_dof_indices(coarse_dofs);
+            below(fine_cell, IdentityMatrix(coarse_dofs.size()));
+          }
+        else
+          for (unsigned int child = 0; child < fine_cell->n_children(); ++child)
+            both(fine_cell->child(child), coarse_cell->child(child));
+      }
+
+      void
+      below(const Cell &fine_cell, const FullMatrix<double> &values)
+      {
+        if (fine_cell->is_active())
+          {
+            fine_cell->get_dof_indices(fine_dofs);
+            for (unsigned int i = 0; i < fine_dofs.size(); ++i)
+              set_row(fine_dofs[i], values, i);
+            return;
+          }
+        for (unsigned int child = 0; child < fine_cell->n_children(); ++child)
+          {
+            FullMatrix<double> product(values.m(), values.n());
+            fine.bodies[body]
+              ->dof_handler()
+              .get_fe()
+              .get_prolongation_matrix(child, fine_cell->refinement_case())
+              .mmult(product, values);
+            below(fine_cell->child(child), product);
+          }
+      }
+
+      void
+      set_row(const types::global_dof_index fine_dof,
+              const FullMatrix<double>     &values,
+              const unsigned int            i)
+      {
+        const types::global_dof_index node = fine.global_node(body, fine_dof);
+        if (!wanted.is_element(node) ||
+            fine.bodies[body]->hanging_nodes().is_constrained(fine_dof))
+          return;
+        GlobalRow &row = rows[wanted.index_within_set(node)];
+        if (!row.empty())
+          return;
+        for (unsigned int j = 0; j < coarse_dofs.size(); ++j)
+          if (const double value = values(i, j))
+            for (const auto &master : coarse.resolve(body, coarse_dofs[j]))
+              row.emplace_back(master.first, value * master.second);
+      }
+
+      const MeshLevel<dim>                &coarse;
+      const MeshLevel<dim>                &fine;
+      const unsigned int                   body;
+      const IndexSet                      &wanted;
+      std::vector<GlobalRow>              &rows;
+      std::vector<types::global_dof_index> coarse_dofs, fine_dofs;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  NodalProlongation::NodalProlongation(const MeshLevel<dim> &coarse,
+                                       const MeshLevel<dim> &fine,
+                                       const IndexSet       &wanted)
+    : fine_nodes(wanted)
+  {
+    std::vector<GlobalRow> rows(wanted.n_elements());
+    for (unsigned int body = 0; body < fine.bodies.size(); ++body)
+      TreeWalk<dim>(coarse, fine, body, wanted, rows).walk();
+    for (const GlobalRow &row : rows)
+      {
+        for (const auto &entry : row)
+          {
+            column.push_back(entry.first);
+            value.push_back(entry.second);
+          }
+        row_start.push_back(column.size());
+      }
+    column.shrink_to_fit();
+    value.shrink_to_fit();
+  }
+
+
+
+  GlobalRow
+  NodalProlongation::row(const types::global_dof_index fine_node) const
+  {
+    AssertThrow(fine_nodes.is_element(fine_node), ExcInternalError());
+    const auto i = fine_nodes.index_within_set(fine_node);
+    GlobalRow  result;
+    result.reserve(row_start[i + 1] - row_start[i]);
+    for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
+      result.emplace_back(column[k], value[k]);
+    return result;
+  }
+
+
+
+  const IndexSet &
+  NodalProlongation::rows() const
+  {
+    return fine_nodes;
+  }
+
+
+
+  IndexSet
+  NodalProlongation::columns(const types::global_dof_index n_coarse) const
+  {
+    return make_index_set(n_coarse, column);
+  }
+
+
+
+  template NodalProlongation::NodalProlongation(const MeshLevel<2> &,
+                                                const MeshLevel<2> &,
+                                                const IndexSet &);
+  template NodalProlongation::NodalProlongation(const MeshLevel<3> &,
+                                                const MeshLevel<3> &,
+                                                const IndexSet &);
+} // namespace StickSlip

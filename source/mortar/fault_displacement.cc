@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/mortar/fault_displacement.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** The values of @p fine at the points of @p coarse; both surfaces sort
+     * their points alike. */
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    inject(const FaultSurface<dim>           &coarse,
+           const FaultSurface<dim>           &fine,
+           const std::vector<Tensor<1, dim>> &values)
+    {
+      std::vector<Tensor<1, dim>> result;
+      unsigned int                k = 0;
+      for (const Point<dim> &point : coarse.points)
+        {
+          while (k < fine.points.size() && fine.points[k] != point)
+            ++k;
+          AssertThrow(k < fine.points.size(), ExcInternalError());
+          result.push_back(values[k]);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  gather_nodes(const NodalVector                          &values,
+               const NodePartition                        &partition,
+               const std::vector<types::global_dof_index> &nodes)
+  {
+    std::vector<double> all(nodes.size() * dim);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (partition.owned().is_element(nodes[k]))
+        for (unsigned int d = 0; d < dim; ++d)
+          all[k * dim + d] =
+            values.local_element(partition.local_index(nodes[k]) * dim + d);
+    // All but one of the terms are zero.
+    Utilities::MPI::sum(all, partition.communicator(), all);
+    std::vector<Tensor<1, dim>> result(nodes.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[k][d] = all[k * dim + d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<FaultDisplacement<dim>>
+  gather_fault_displacements(const MeshLevel<dim>          &level,
+                             const std::vector<FaultSides> &sides,
+                             const NodalVector             &displacement)
+  {
+    std::vector<FaultDisplacement<dim>> result;
+    for (const FaultSides &side : sides)
+      {
+        const auto gather = [&](const unsigned int       body,
+                                const types::boundary_id which) {
+          return gather_nodes<dim>(displacement,
+                                   level.nodes,
+                                   surface_nodes(level, body, which));
+        };
+        result.push_back({gather(side.slave_body, side.slave_side),
+                          gather(side.master_body, side.master_side)});
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<FaultDisplacement<dim>>
+  inject(const MeshLevel<dim>                      &coarse,
+         const MeshLevel<dim>                      &fine,
+         const std::vector<FaultSides>             &sides,
+         const std::vector<FaultDisplacement<dim>> &displacements)
+  {
+    std::vector<FaultDisplacement<dim>> result;
+    for (unsigned int f = 0; f < sides.size(); ++f)
+      {
+        const auto on_side = [&](const unsigned int                 body,
+                                 const types::boundary_id           which,
+                                 const std::vector<Tensor<1, dim>> &values) {
+          return inject(coarse.surface(body, which),
+                        fine.surface(body, which),
+                        values);
+        };
+        result.push_back({on_side(sides[f].slave_body,
+                                  sides[f].slave_side,
+                                  displacements[f].slave),
+                          on_side(sides[f].master_body,
+                                  sides[f].master_side,
+                                  displacements[f].master)});
+      }
+    return result;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                 \
+  template struct FaultDisplacement<dim>;                          \
+  template std::vector<Tensor<1, dim>> gather_nodes<dim>(          \
+    const NodalVector &,                                           \
+    const NodePartition &,                                         \
+    const std::vector<types::global_dof_index> &);                 \
+  template std::vector<FaultDisplacement<dim>>                     \
+  gather_fault_displacements<dim>(const MeshLevel<dim> &,          \
+                                  const std::vector<FaultSides> &, \
+                                  const NodalVector &);            \
+  template std::vector<FaultDisplacement<dim>> inject<dim>(        \
+    const MeshLevel<dim> &,                                        \
+    const MeshLevel<dim> &,                                        \
+    const std::vector<FaultSides> &,                               \
+    const std::vector<FaultDisplacement<dim>> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

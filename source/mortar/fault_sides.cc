@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/mortar/fault_sides.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace StickSlip
+{
+  template <int dim>
+  std::pair<double, double>
+  face_sizes(const FaultSurface<dim> &surface)
+  {
+    double sum = 0, least = std::numeric_limits<double>::max();
+    for (const auto &face : surface.faces)
+      {
+        const double size =
+          surface.points[face.front()].distance(surface.points[face.back()]);
+        sum += size;
+        least = std::min(least, size);
+      }
+    return {sum / surface.faces.size(), least};
+  }
+
+
+
+  template <int dim>
+  FaultSides
+  choose_fault_sides(const MeshLevel<dim> &level, const unsigned int lower)
+  {
+    constexpr auto top        = BodyMesh<dim>::upper_side;
+    constexpr auto bottom     = BodyMesh<dim>::lower_side;
+    const double   size_below = face_sizes(level.surface(lower, top)).first;
+    const double   size_above =
+      face_sizes(level.surface(lower + 1, bottom)).first;
+    // Equal sizes differ by rounding.
+    if (size_below < (1. - 1e-8) * size_above)
+      return {lower, lower + 1, top, bottom};
+    return {lower + 1, lower, bottom, top};
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  surface_nodes(const MeshLevel<dim>    &level,
+                const unsigned int       body,
+                const types::boundary_id side)
+  {
+    std::vector<types::global_dof_index> nodes;
+    for (const auto dof : level.surface(body, side).dofs)
+      nodes.push_back(level.global_node(body, dof));
+    return nodes;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                         \
+  template FaultSides choose_fault_sides<dim>(const MeshLevel<dim> &,      \
+                                              const unsigned int);         \
+  template std::vector<types::global_dof_index> surface_nodes<dim>(        \
+    const MeshLevel<dim> &, const unsigned int, const types::boundary_id); \
+  template std::pair<double, double> face_sizes<dim>(const FaultSurface<dim> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

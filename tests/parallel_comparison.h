@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tests_parallel_comparison_h
+#define stickslip_tests_parallel_comparison_h
+
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/tnnmg/level_hierarchy.h>
+
+#include <map>
+#include <vector>
+
+namespace StickSlip::Tests
+{
+  /*
+   * A problem on all processes is compared with the same problem on one, which
+   * each process has for itself.
+   */
+
+  inline unsigned int
+  n_processes()
+  {
+    return Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  }
+
+
+
+  /** The number that a node has on one process, for each number on all. */
+  template <int dim>
+  std::vector<types::global_dof_index>
+  numbers_on_one(const MeshLevel<dim> &shared, const MeshLevel<dim> &alone)
+  {
+    std::vector<types::global_dof_index> numbers(shared.n_nodes());
+    for (unsigned int b = 0; b < shared.bodies.size(); ++b)
+      for (unsigned int dof = 0; dof < shared.bodies[b]->dof_handler().n_dofs();
+           ++dof)
+        numbers[shared.global_node(b, dof)] = alone.global_node(b, dof);
+    return numbers;
+  }
+
+
+
+  /** The largest difference of any entry of the owned rows, over the largest
+   * entry of any row; over all processes. */
+  template <int dim>
+  double
+  difference(const BlockMatrix<dim>                     &shared,
+             const NodePartition                        &nodes,
+             const BlockMatrix<dim>                     &alone,
+             const std::vector<types::global_dof_index> &numbers)
+  {
+    double largest = 0, error = 0;
+    for (const double value : alone.values())
+      largest = std::max(largest, std::abs(value));
+    const auto            &row_start = shared.sparsity().row_start;
+    const auto            &alone_row = alone.sparsity().row_start;
+    constexpr unsigned int n         = dim * dim;
+    for (unsigned int i = 0; i < shared.n_rows(); ++i)
+      {
+        std::map<types::global_dof_index, std::array<double, n>> row;
+        for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
+          {
+            const auto column =
+              numbers[nodes.global_index(shared.sparsity().column[k])];
+            std::copy_n(shared.block(k), n, row[column].begin());
+          }
+        const unsigned int I = numbers[nodes.global_index(i)];
+        for (unsigned int k = alone_row[I]; k < alone_row[I + 1]; ++k)
+          for (unsigned int c = 0; c < n; ++c)
+            row[alone.sparsity().column[k]][c] -= alone.block(k)[c];
+        for (const auto &entry : row)
+          for (const double value : entry.second)
+            error = std::max(error, std::abs(value));
+      }
+    return Utilities::MPI::max(error / largest, MPI_COMM_WORLD);
+  }
+
+
+
+  /** The same for vectors. */
+  inline double
+  difference(const NodalVector                          &shared,
+             const NodePartition                        &nodes,
+             const NodalVector                          &alone,
+             const std::vector<types::global_dof_index> &numbers)
+  {
+    const unsigned int dim   = nodes.n_components();
+    double             error = 0;
+    for (unsigned int i = 0; i < nodes.n_owned(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        error = std::max(error,
+                         std::abs(shared.local_element(i * dim + c) -
+                                  alone.local_element(
+                                    numbers[nodes.global_index(i)] * dim + c)));
+    return Utilities::MPI::max(error, MPI_COMM_WORLD) / alone.linfty_norm();
+  }
+} // namespace StickSlip::Tests
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+
+#include "parallel_comparison.h"
+#include "stuck_faults.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  // The bodies on all processes and on one. Coarse levels are shared as far as
+  // a small number of nodes allows.
+  template <int dim>
+  struct Pair
+  {
+    SpatialScene<dim> shared, alone;
+
+    explicit Pair(const std::vector<BodyGeometry<dim>> &bodies,
+                  const unsigned int                    min_nodes_per_process)
+      : shared(make(bodies, MPI_COMM_WORLD, min_nodes_per_process))
+      , alone(make(bodies, MPI_COMM_SELF, min_nodes_per_process))
+    {}
+
+    static SpatialScene<dim>
+    make(const std::vector<BodyGeometry<dim>> &bodies,
+         const MPI_Comm                        communicator,
+         const unsigned int                    min_nodes_per_process)
+    {
+      std::vector<Material> materials(bodies.size());
+      for (unsigned int i = 0; i < materials.size(); ++i)
+        materials[i].youngs_modulus *= 1. + i;
+      std::array<BoundaryType, dim> fixed;
+      fixed.fill(BoundaryType::fixed);
+      BoundaryCondition<dim> pull =
+        make_side<dim>(std::to_string(bodies.size() - 1),
+                       BodyMesh<dim>::upper_side,
+                       {{BoundaryType::traction}},
+                       {{"1e3 * (1 + x)"}});
+      pull.type[dim - 1] = BoundaryType::free;
+      return SpatialScene<dim>(
+        bodies,
+        {make_side<dim>("0", BodyMesh<dim>::lower_side, fixed), pull},
+        materials,
+        9.81,
+        communicator,
+        min_nodes_per_process);
+    }
+
+    // Slide the bodies over each other, each by some distance.
+    static void
+    slide(SpatialScene<dim> &scene, const double distance)
+    {
+      NodalVector           displacement = scene.problem.make_nodal_vector();
+      const MeshLevel<dim> &level        = scene.meshes.finest();
+      for (unsigned int b = 0; b < level.bodies.size(); ++b)
+        for (unsigned int dof = 0;
+             dof < level.bodies[b]->dof_handler().n_dofs();
+             ++dof)
+          if (level.nodes.owned().is_element(level.global_node(b, dof)))
+            displacement.local_element(level.node(b, dof) * dim) =
+              (b % 2 == 0 ? 0. : distance);
+      scene.problem.build_contact(displacement);
+    }
+
+    // Curvature and truncation that depend on the place along the fault.
+    static void
+    linearise(SpatialScene<dim> &scene)
+    {
+      LevelHierarchy<dim>         &hierarchy = scene.problem.hierarchy();
+      const LevelDescription<dim> &finest    = hierarchy.finest();
+      hierarchy.combine({200., 1., 5e-3});
+      NodeMask                    active = finest.fixed;
+      std::vector<Tensor<2, dim>> hessians(finest.nonsmooth_nodes.size());
+      for (const FaultContact<dim> &fault : scene.problem.jump_basis().faults())
+        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
+          if (finest.nodes.owned().is_element(fault.slave_nodes[k]))
+            {
+              const unsigned int node =
+                finest.nodes.local_index(fault.slave_nodes[k]);
+              const auto place =
+                std::lower_bound(finest.nonsmooth_nodes.begin(),
+                                 finest.nonsmooth_nodes.end(),
+                                 node);
+              if (place == finest.nonsmooth_nodes.end() || *place != node)
+                continue;
+              const double x = fault.slave_surface.points[k][0];
+              const double y = fault.slave_surface.points[k][dim - 1];
+              if (std::sin(7. * x + y) > 0.2)
+                active.mask(node, 0);
+              else
+                hessians[place - finest.nonsmooth_nodes.begin()][0][0] =
+                  1e5 * std::exp(x);
+            }
+      hierarchy.linearise(hessians, active);
+    }
+
+    void
+    expect_equal_matrices() const
+    {
+      const auto &ours = shared.problem.hierarchy();
+      const auto &one  = alone.problem.hierarchy();
+      ASSERT_EQ(ours.n_levels(), one.n_levels());
+      for (unsigned int l = 0; l < ours.n_levels(); ++l)
+        EXPECT_LT(difference(ours.level_matrix(l),
+                             ours.description(l).nodes,
+                             one.level_matrix(l),
+                             numbers_on_one(shared.meshes.level(l),
+                                            alone.meshes.level(l))),
+                  1e-12)
+          << "level " << l << " of " << ours.n_levels();
+    }
+  };
+
+
+
+  template <int dim>
+  void
+  expect_equal_problems(const std::vector<BodyGeometry<dim>> &bodies,
+                        const unsigned int min_nodes_per_process)
+  {
+    Pair<dim>  pair(bodies, min_nodes_per_process);
+    const auto numbers =
+      numbers_on_one(pair.shared.meshes.finest(), pair.alone.meshes.finest());
+    const auto compare = [&](const std::string &what) {
+      SCOPED_TRACE(what);
+      const auto &ours = pair.shared.problem.hierarchy();
+      const auto &one  = pair.alone.problem.hierarchy();
+      for (unsigned int term = 0; term < 3; ++term)
+        EXPECT_LT(difference(ours.term(term),
+                             ours.finest().nodes,
+                             one.term(term),
+                             numbers),
+                  1e-12)
+          << "term " << term;
+      EXPECT_LT(difference(pair.shared.problem.load(3.),
+                           ours.finest().nodes,
+                           pair.alone.problem.load(3.),
+                           numbers),
+                1e-12);
+      pair.shared.problem.hierarchy().combine({200., 1., 5e-3});
+      pair.alone.problem.hierarchy().combine({200., 1., 5e-3});
+      pair.expect_equal_matrices();
+      Pair<dim>::linearise(pair.shared);
+      Pair<dim>::linearise(pair.alone);
+      pair.expect_equal_matrices();
+    };
+    compare("as built");
+    // Partners on the other side now belong to other processes, and the ends
+    // are off contact.
+    Pair<dim>::slide(pair.shared, 0.7);
+    Pair<dim>::slide(pair.alone, 0.7);
+    compare("slid by 0.7 m");
+  }
+} // namespace
+
+
+
+TEST(ParallelMatrices, EqualThoseOfOneProcessInTwoDimensions)
+{
+  for (const unsigned int min_nodes_per_process : {1, 500})
+    {
+      expect_equal_problems<2>(spring_slider_bodies(), min_nodes_per_process);
+      expect_equal_problems<2>(layered_bodies(), min_nodes_per_process);
+      expect_equal_problems<2>(nonmatching_bodies(), min_nodes_per_process);
+    }
+}
+
+
+
+TEST(ParallelMatrices, EqualThoseOfOneProcessInThreeDimensions)
+{
+  expect_equal_problems<3>(nonmatching_blocks(), 1);
+}
+
+
+
+TEST(ParallelMatrices, EveryProcessOwnsAPartOfEachSharedLevel)
+{
+  const MeshHierarchy<2> meshes(layered_bodies(), MPI_COMM_WORLD, 1);
+  for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+    {
+      const NodePartition &nodes = meshes.level(l).nodes;
+      const auto least = Utilities::MPI::min(nodes.n_owned(), MPI_COMM_WORLD);
+      const auto most  = Utilities::MPI::max(nodes.n_owned(), MPI_COMM_WORLD);
+      EXPECT_EQ(Utilities::MPI::sum(nodes.n_owned(), MPI_COMM_WORLD),
+                nodes.n_global());
+      if (l == 0)
+        {
+          EXPECT_EQ(most, nodes.n_global());
+        }
+      else if (l + 1 == meshes.n_levels())
+        {
+          EXPECT_GT(least, 0.9 * nodes.n_global() / n_processes());
+          EXPECT_LT(most, 1.1 * nodes.n_global() / n_processes());
+        }
+      else
+        {
+          EXPECT_GT(least, 0u);
+        }
+    }
+}
+
+
+
+TEST(ParallelMatrices, FewNodesAreGatheredOnFewerProcesses)
+{
+  // 4,057 nodes on the finest level.
+  const MeshHierarchy<2> meshes(layered_bodies(), MPI_COMM_WORLD, 500);
+  for (unsigned int l = 0; l + 1 < meshes.n_levels(); ++l)
+    {
+      const NodePartition &nodes = meshes.level(l).nodes;
+      const unsigned int   n_sharing =
+        Utilities::MPI::sum(nodes.n_owned() > 0 ? 1u : 0u, MPI_COMM_WORLD);
+      EXPECT_LE(n_sharing, std::max<unsigned int>(1, nodes.n_global() / 500));
+    }
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/parameters/agreed_failure.h>
+
+#include "parallel_comparison.h"
+#include "simulation_scenes.h"
+#include "stepping_scene.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+TEST(ParallelRun, SpringSliderHasTheSameFirstEvent)
+{
+  const SceneParameters<2> scene =
+    published_scene("spring_slider", {"Time/End time=24"});
+  const RunHistory ours(scene, MPI_COMM_WORLD);
+  ASSERT_EQ(ours.events.size(), 1u);
+  EXPECT_GT(ours.events[0].start, 20.);
+
+  // One process repeats it alone, while the others wait for the figures.
+  std::vector<double> expected(3);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      const RunHistory alone(scene, MPI_COMM_SELF);
+      if (alone.events.size() == 1)
+        expected = {alone.events[0].start,
+                    alone.events[0].end,
+                    alone.events[0].peak_slip_rate};
+    }
+  expected = Utilities::MPI::broadcast(MPI_COMM_WORLD, expected, 0);
+  EXPECT_NEAR(ours.events[0].start, expected[0], 1e-6);
+  EXPECT_NEAR(ours.events[0].end, expected[1], 1e-6);
+  EXPECT_NEAR(ours.events[0].peak_slip_rate, expected[2], 1e-5 * expected[2]);
+}
+
+
+
+namespace
+{
+  // The creeping bodies at a thousandfold speed slide by half a metre, several
+  // faces and, on several processes, past the parts of others.
+  SceneParameters<2>
+  sliding_scene(const std::vector<std::string> &more)
+  {
+    std::vector<std::string> overrides = {
+      "Boundary conditions/upper top/x value=0.25",
+      "Boundary conditions/upper top/Ramp length=0.2",
+      "Faults/fault/Reference slip rate=0.25",
+      "Faults/fault/Characteristic slip=0.25",
+      "Faults/fault/Normal stress function=1e3",
+      "Time/End time=2.1",
+      "Time/Largest step=0.05",
+      "Time/Tolerance=1e-3"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return read_scene(creeping_bodies, overrides);
+  }
+
+
+
+  void
+  expect_equal_sliding(const std::vector<std::string> &more)
+  {
+    const SceneParameters<2> scene = sliding_scene(more);
+    Simulation<2>            shared(scene, MPI_COMM_WORLD);
+    Simulation<2>            alone(scene, MPI_COMM_SELF);
+    for (Simulation<2> *simulation : {&shared, &alone})
+      {
+        simulation->set_up();
+        while (!simulation->is_finished())
+          simulation->advance();
+      }
+    EXPECT_EQ(shared.state().time, alone.state().time);
+    EXPECT_GT(shared.spatial_problem().n_builds(), 5u);
+    EXPECT_EQ(shared.spatial_problem().n_builds(),
+              alone.spatial_problem().n_builds());
+    const FaultSnapshot<2> ours = snapshots(shared).front(),
+                           one  = snapshots(alone).front();
+    ASSERT_EQ(ours.slip.size(), one.slip.size());
+    for (unsigned int k = 0; k < ours.slip.size(); ++k)
+      {
+        EXPECT_EQ(ours.points[k], one.points[k]);
+        EXPECT_NEAR(ours.slip[k][0], one.slip[k][0], 1e-6);
+        EXPECT_NEAR(ours.slip_rate[k][0], one.slip_rate[k][0], 1e-5);
+        EXPECT_NEAR(ours.weights[k], one.weights[k], 1e-6);
+        EXPECT_NEAR(ours.state[k], one.state[k], 1e-4 * one.state[k]);
+        if (ours.weights[k] > 0.)
+          {
+            EXPECT_NEAR(ours.slip[k][0], 0.5, 0.005);
+          }
+      }
+    EXPECT_LT(difference(shared.state().displacement,
+                         shared.meshes().finest().nodes,
+                         alone.state().displacement,
+                         numbers_on_one(shared.meshes().finest(),
+                                        alone.meshes().finest())),
+              1e-6);
+  }
+} // namespace
+
+
+
+TEST(ParallelRun, LargeSlidingIsTheSame)
+{
+  expect_equal_sliding({});
+}
+
+
+
+TEST(ParallelRun, LargeSlidingOfNonmatchingMeshesIsTheSame)
+{
+  expect_equal_sliding({"Bodies/lower/Coarse cells=7, 2"});
+}
+
+
+
+TEST(ParallelRun, NoNumberOnOneProcessIsAFailureOnAll)
+{
+  // Near the right end only, so in the part of one process.
+  const SceneParameters<2> scene =
+    read_scene(creeping_bodies,
+               {"Boundary conditions/upper top/x value="
+                "if(x > 0.9 && t > 0.3 && t < 0.9, sqrt(-1), 2e-4)"});
+  Simulation<2> simulation(scene, MPI_COMM_WORLD);
+  simulation.set_up();
+  const auto run = [&]() {
+    while (!simulation.is_finished())
+      simulation.advance();
+  };
+  EXPECT_THROW(run(), StepSizeTooSmall);
+  // What is there is the last good state, and the same everywhere.
+  EXPECT_LE(simulation.state().time, 0.3);
+  EXPECT_GT(simulation.state().time, 0.29);
+  EXPECT_TRUE(std::isfinite(simulation.state().velocity.l2_norm()));
+  const auto times =
+    Utilities::MPI::all_gather(MPI_COMM_WORLD, simulation.state().time);
+  for (const double time : times)
+    EXPECT_EQ(time, simulation.state().time);
+}
