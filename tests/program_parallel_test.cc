@@ -92,6 +92,25 @@ TEST(ProgramParallel, ReportsBadInputOnce)
 
 
 
+TEST(ProgramParallel, InputThatOneProcessLacksEndsAll)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm", scene);
+  // As on a machine that does not see the folder.
+  const Outcome outcome =
+    run_command(folder,
+                parallel_program(1) + " scene.prm : -np 2 '" +
+                  STICKSLIP_BINARY_DIR "/stickslip' elsewhere.prm");
+  EXPECT_EQ(outcome.exit_status, 1);
+  EXPECT_EQ(
+    outcome.errors,
+    "stickslip: The parameter file 'elsewhere.prm' does not exist or is "
+    "not a file.\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("output")));
+}
+
+
+
 TEST(ProgramParallel, FolderThatCannotBeMadeEndsAllProcesses)
 {
   const TemporaryFolder folder;

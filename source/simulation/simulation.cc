@@ -277,7 +277,11 @@ namespace StickSlip
                       "processes",
                       Utilities::MPI::n_mpi_processes(communicator));
     summarise_meshes(summary, mesh_hierarchy, body_names(scene));
-    summarise_problem(summary, problem, body_names(scene), fault_names(scene));
+    if (problem.is_coupled())
+      summarise_problem(summary,
+                        problem,
+                        body_names(scene),
+                        fault_names(scene));
 
     summary.add_count("Steps", "accepted", step_number);
     summary.add_count("Steps", "rejected", step_size_controller->n_rejected());

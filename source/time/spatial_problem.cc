@@ -161,6 +161,15 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  SpatialProblem<dim>::is_coupled() const
+  {
+    return levels != nullptr;
+  }
+
+
+
+  template <int dim>
   const MeshHierarchy<dim> &
   SpatialProblem<dim>::meshes() const
   {

@@ -39,30 +39,6 @@ namespace StickSlip
               block[c][d] :
               0.;
     }
-
-
-
-    /** Flags at nodes, as the library's vectors can be exchanged. */
-    NodalVector
-    flag_vector(const NodePartition &nodes)
-    {
-      return NodalVector(nodes.nodes());
-    }
-
-
-
-    /** Which entries are not zero, ghosts brought up to date. */
-    std::vector<bool>
-    flags(const NodalVector &vector)
-    {
-      update_ghosts(vector);
-      const auto       &partitioner = *vector.get_partitioner();
-      std::vector<bool> result(partitioner.locally_owned_size() +
-                               partitioner.n_ghost_indices());
-      for (unsigned int i = 0; i < result.size(); ++i)
-        result[i] = vector.local_element(i) != 0.;
-      return result;
-    }
   } // namespace
 
 
@@ -82,11 +58,6 @@ namespace StickSlip
         level.solution    = level.description.nodes.make_vector();
         level.rhs         = level.solution;
         level.residual    = level.solution;
-
-        NodalVector nonsmooth = flag_vector(level.description.nodes);
-        for (const unsigned int i : level.description.nonsmooth_nodes)
-          nonsmooth.local_element(i) = 1.;
-        level.is_nonsmooth = flags(nonsmooth);
       }
     const NodePartition &coarsest = levels.front().description.nodes;
     AssertThrow(coarsest.n_owned() == 0 ||
@@ -129,44 +100,23 @@ namespace StickSlip
   void
   LevelHierarchy<dim>::find_strips()
   {
-    // H and the truncation change the rows of the nonsmooth nodes and of
-    // those coupled to them; on a coarser level also the rows that see such a
-    // row of the finer one.
+    std::vector<bool> strip;
     for (unsigned int l = levels.size(); l-- > 0;)
       {
         Level               &level    = levels[l];
         const BlockSparsity &sparsity = level.matrix.sparsity();
-        NodalVector          in_strip = flag_vector(level.description.nodes);
-        if (l + 1 < levels.size())
+        if (l + 1 == levels.size())
+          strip = find_strip(level.description, sparsity);
+        else
           {
-            const Level &fine       = levels[l + 1];
-            NodalVector  fine_strip = flag_vector(fine.description.nodes);
-            for (const unsigned int i : fine.strip)
-              fine_strip.local_element(i) = 1.;
-            const auto &Pt =
-              fine.description.to_coarser->prolongation().transpose();
-            for (unsigned int I = 0; I + 1 < Pt.row_start.size(); ++I)
-              for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1];
-                   ++k)
-                in_strip.local_element(I) +=
-                  fine_strip.local_element(Pt.column[k]);
-            add_ghosts_to_owners(in_strip);
+            const LevelDescription<dim> &finer = levels[l + 1].description;
+            strip = find_strip(level.description, sparsity, finer, strip);
+            finer.to_coarser->select_rows(strip);
           }
-        // The sparsity is symmetric.
-        for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
-          for (unsigned int k = sparsity.row_start[i];
-               k < sparsity.row_start[i + 1];
-               ++k)
-            if (level.is_nonsmooth[sparsity.column[k]])
-              in_strip.local_element(i) = 1.;
-
-        const std::vector<bool> is_selected = flags(in_strip);
         level.strip.clear();
         for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
-          if (is_selected[i])
+          if (strip[i])
             level.strip.push_back(i);
-        if (l + 1 < levels.size())
-          levels[l + 1].description.to_coarser->select_rows(is_selected);
       }
   }
 
@@ -298,7 +248,10 @@ namespace StickSlip
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
         Level &coarse = levels[l - 1];
-        coarse.active = coarsen_mask(l, levels[l].active);
+        coarse.active = coarsen_mask(coarse.description,
+                                     levels[l].description,
+                                     levels[l].active,
+                                     coarse.rhs);
         levels[l].description.to_coarser->compute_selected_rows(
           levels[l].matrix, levels[l].active, coarse.matrix);
         for (const unsigned int i : coarse.strip)
@@ -322,33 +275,6 @@ namespace StickSlip
     if (Utilities::MPI::max(is_singular,
                             coarsest.description.nodes.communicator()) > 0)
       throw SingularCoarseMatrix();
-  }
-
-
-
-  template <int dim>
-  NodeMask
-  LevelHierarchy<dim>::coarsen_mask(const unsigned int l, const NodeMask &fine)
-  {
-    const LevelDescription<dim> &coarse = levels[l - 1].description;
-    const auto &P = levels[l].description.to_coarser->prolongation().matrix();
-
-    // How many fine neighbours of the same kind take part.
-    NodalVector &n_active = levels[l - 1].rhs;
-    n_active              = 0.;
-    for (const unsigned int i : levels[l].description.nonsmooth_nodes)
-      for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
-        for (unsigned int c = 0; c < dim; ++c)
-          n_active.local_element(P.column[k] * dim + c) += fine.is_active(i, c);
-    add_ghosts_to_owners(n_active);
-
-    NodeMask mask = coarse.fixed;
-    for (const unsigned int I : coarse.nonsmooth_nodes)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (n_active.local_element(I * dim + c) == 0. && mask.is_active(I, c))
-          mask.mask(I, c);
-    mask.update_ghosts(coarse.nodes);
-    return mask;
   }
 
 
@@ -577,8 +503,6 @@ namespace StickSlip
 
 
 
-  template struct LevelDescription<2>;
-  template struct LevelDescription<3>;
   template class LevelHierarchy<2>;
   template class LevelHierarchy<3>;
 } // namespace StickSlip

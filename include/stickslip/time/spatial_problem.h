@@ -47,10 +47,16 @@ namespace StickSlip
 
     /**
      * Couple the faults as they are after a displacement, with everything that
-     * depends on it. Throws if the sides of a fault do not touch any more.
+     * depends on it. Throws AgreedFailure if the sides of a fault do not touch
+     * any more; all is as before then. Collective.
      */
     void
     build_contact(const NodalVector &displacement);
+
+    /** Whether the last attempt to do so has succeeded; if not, there are no
+     * levels. */
+    bool
+    is_coupled() const;
 
     const MeshHierarchy<dim> &
     meshes() const;

@@ -4,37 +4,13 @@
 #ifndef stickslip_tnnmg_level_hierarchy_h
 #define stickslip_tnnmg_level_hierarchy_h
 
-#include <stickslip/algebra/galerkin_product.h>
 #include <stickslip/tnnmg/coarse_solver.h>
+#include <stickslip/tnnmg/level_description.h>
 
 #include <vector>
 
 namespace StickSlip
 {
-  /**
-   * What the solver is told of one level.
-   */
-  template <int dim>
-  struct LevelDescription
-  {
-    NodePartition nodes;
-
-    /** Leads to the next coarser level, whose nodes are its coarse nodes; empty
-     * on the coarsest level. */
-    std::shared_ptr<GalerkinProduct<dim>> to_coarser;
-
-    /** The components that never take part, of owned nodes and ghosts. */
-    NodeMask fixed;
-
-    /**
-     * The owned nodes with a nonsmooth term, in ascending order; on the coarser
-     * levels the nodes that stand for such nodes. A component of such a
-     * coarse node is truncated if it is at all its fine neighbours of the
-     * same kind.
-     */
-    std::vector<unsigned int> nonsmooth_nodes;
-  };
-
   /**
    * The levels of a multigrid method for operators
    *
@@ -154,9 +130,6 @@ namespace StickSlip
       std::vector<unsigned int> strip;
       NodeMask                  active;
 
-      /** One at the nonsmooth nodes and their ghosts, zero elsewhere. */
-      std::vector<bool> is_nonsmooth;
-
       NodalVector solution, rhs, residual;
     };
 
@@ -186,9 +159,6 @@ namespace StickSlip
     /** Hand the linearisation on the finest level down to all others. */
     void
     linearise_coarse_levels();
-
-    NodeMask
-    coarsen_mask(const unsigned int l, const NodeMask &fine);
 
     void
     cycle(const unsigned int l, NodalVector &x, const NodalVector &b);
