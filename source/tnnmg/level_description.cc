@@ -25,7 +25,8 @@ namespace StickSlip
       std::vector<bool> result(partitioner.locally_owned_size() +
                                partitioner.n_ghost_indices());
       for (unsigned int i = 0; i < result.size(); ++i)
-        result[i] = vector.local_element(i) != 0.;
+        // Ghosts lie behind the owned entries.
+        result[i] = vector.begin()[i] != 0.;
       return result;
     }
 
