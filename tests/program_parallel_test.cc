@@ -179,20 +179,12 @@ TEST(ProgramParallel, InterruptLeavesCompleteFiles)
 {
   const TemporaryFolder folder;
   folder.write("scene.prm", scene);
-  const Outcome outcome = run_command(
-    folder,
-    parallel_program(2) +
-      " scene.prm --set 'Time/End time=99999' "
-      "--set 'Contact/Follow slip=false' &\n"
-      "pid=$!\n"
-      "for i in $(seq 600); do\n"
-      "  rows=$(cat output/scene/time_series.csv 2> /dev/null | wc -l)\n"
-      "  [ \"$rows\" -gt 30 ] && break\n"
-      "  sleep 0.1\n"
-      "done\n"
-      // The launcher passes it on.
-      "kill -INT $pid\n"
-      "wait $pid");
+  // The launcher passes the signal on.
+  const Outcome outcome =
+    run_and_interrupt(folder,
+                      parallel_program(2) +
+                        " scene.prm --set 'Time/End time=99999' "
+                        "--set 'Contact/Follow slip=false'");
   EXPECT_NE(outcome.output.find("Run interrupted by the user, t = "),
             std::string::npos)
     << outcome.errors;

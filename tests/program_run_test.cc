@@ -82,19 +82,9 @@ TEST(ProgramRun, InterruptLeavesCompleteFiles)
 {
   const TemporaryFolder folder;
   folder.write("scene.prm", scene_with_event);
-  // The signal comes when the run is well under way.
-  const Outcome outcome = run_command(
-    folder,
-    program() +
-      " scene.prm --set 'Time/End time=100000' &\n"
-      "pid=$!\n"
-      "for i in $(seq 600); do\n"
-      "  rows=$(cat output/scene/time_series.csv 2> /dev/null | wc -l)\n"
-      "  [ \"$rows\" -gt 30 ] && break\n"
-      "  sleep 0.1\n"
-      "done\n"
-      "kill -INT $pid\n"
-      "wait $pid");
+  const Outcome outcome =
+    run_and_interrupt(folder,
+                      program() + " scene.prm --set 'Time/End time=100000'");
   EXPECT_EQ(outcome.exit_status, 130);
   EXPECT_EQ(outcome.errors, "");
   expect_part(outcome.output, "Run interrupted by the user, t = ");

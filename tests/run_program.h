@@ -58,6 +58,27 @@ namespace StickSlip::Tests
 
 
 
+  /** Start a command that writes to output/scene, interrupt it when the run is
+   * well under way, and wait for its end. */
+  inline Outcome
+  run_and_interrupt(const TemporaryFolder &folder, const std::string &command)
+  {
+    return run_command(
+      folder,
+      command +
+        " &\n"
+        "pid=$!\n"
+        "for i in $(seq 600); do\n"
+        "  rows=$(cat output/scene/time_series.csv 2> /dev/null | wc -l)\n"
+        "  [ \"$rows\" -gt 30 ] && break\n"
+        "  sleep 0.1\n"
+        "done\n"
+        "kill -INT $pid\n"
+        "wait $pid");
+  }
+
+
+
   /** What is wrong with the files of a run with the one fault "fault"; empty:
    * nothing. */
   inline std::string

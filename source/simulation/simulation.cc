@@ -329,10 +329,11 @@ namespace StickSlip
                Utilities::MPI::max(memory.VmHWM * 1024., communicator));
     add_memory("resident size of all processes",
                Utilities::MPI::sum(memory.VmHWM * 1024., communicator));
-    add_memory("level hierarchy",
-               Utilities::MPI::sum(double(
-                                     problem.hierarchy().memory_consumption()),
-                                   communicator));
+    if (problem.is_coupled())
+      add_memory(
+        "level hierarchy",
+        Utilities::MPI::sum(double(problem.hierarchy().memory_consumption()),
+                            communicator));
     return summary;
   }
 
