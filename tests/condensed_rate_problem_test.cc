@@ -93,7 +93,9 @@ namespace
     ElasticMatrices<2> matrices = assemble_elastic_matrices(level, materials);
     BlockMatrix<2>     A(matrices.mass.shared_sparsity());
     A.combine({2. / step_size, 1., step_size / 2.},
-              {&matrices.mass, &matrices.damping, &matrices.stiffness});
+              {matrices.mass, matrices.damping, matrices.stiffness},
+              0,
+              A.n_rows());
     NodalVector f = assemble_gravity(level, materials, scene.gravity);
     NodalVector v = state.acceleration, product = v;
     v.add(2. / step_size, state.velocity);

@@ -71,6 +71,7 @@ namespace
     {
       LevelHierarchy<dim>         &hierarchy = scene.problem.hierarchy();
       const LevelDescription<dim> &finest    = hierarchy.finest();
+      hierarchy.set_cycle_precision(CyclePrecision::double_precision);
       hierarchy.combine({200., 1., 5e-3});
       NodeMask                    active = finest.fixed;
       std::vector<Tensor<2, dim>> hessians(finest.nonsmooth_nodes.size());

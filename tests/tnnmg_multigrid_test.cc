@@ -151,6 +151,7 @@ TEST(Multigrid, CycleIsSymmetric)
 {
   LayeredSlider      slider(cells, {{14, 2}}, 3);
   LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
+  hierarchy.set_cycle_precision(CyclePrecision::double_precision);
   slider.set_step(1e-2, 0.);
   for (const unsigned int sweeps : {1, 2})
     for (const double probability : {0., 0.5, 1.})
@@ -243,7 +244,8 @@ TEST(Multigrid, LinearisationNearFaultsEqualsAllProducts)
 {
   LayeredSlider      slider(cells, {{14, 2}}, 3);
   LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
-  const auto        &nodes     = hierarchy.finest().nonsmooth_nodes;
+  hierarchy.set_cycle_precision(CyclePrecision::double_precision);
+  const auto &nodes = hierarchy.finest().nonsmooth_nodes;
   slider.set_step(1e-2, 0.);
 
   // One after the other on the same hierarchy, so that traces of the last one
@@ -265,6 +267,7 @@ TEST(Multigrid, LinearisationNearFaultsEqualsAllProducts)
         hierarchy.linearise(H, active);
 
         LevelHierarchy<2> anew(describe_levels(slider, active));
+        anew.set_cycle_precision(CyclePrecision::double_precision);
         anew.set_terms({A});
         anew.combine({1.});
         truncate(anew, active);

@@ -10,21 +10,21 @@ namespace StickSlip
     namespace
     {
       /** s_c -= (sum_j A_ij x_j)_c for one row i. */
-      template <int dim>
+      template <int dim, typename Number>
       inline void
-      subtract_row(const BlockRows   &A,
-                   const unsigned int row,
-                   const double      *x,
-                   double            *s)
+      subtract_row(const BlockRows<Number> &A,
+                   const unsigned int       row,
+                   const Number            *x,
+                   Number                  *s)
       {
         // One accumulator for each entry of a block: the products of a block
         // are independent of each other and vectorise.
-        double sum[dim * dim] = {};
+        Number sum[dim * dim] = {};
         for (unsigned int k = A.row_start[row]; k < A.row_start[row + 1]; ++k)
           {
-            const double *a =
+            const Number *a =
               A.values + static_cast<unsigned long>(k) * dim * dim;
-            const double *y = x + static_cast<unsigned long>(A.column[k]) * dim;
+            const Number *y = x + static_cast<unsigned long>(A.column[k]) * dim;
             for (int c = 0; c < dim; ++c)
               for (int d = 0; d < dim; ++d)
                 sum[c * dim + d] += a[c * dim + d] * y[d];
@@ -36,19 +36,19 @@ namespace StickSlip
 
 
 
-      template <int dim>
+      template <int dim, typename Number>
       inline void
-      relax_row(const BlockRows   &A,
-                const double      *inverse_diagonal,
-                const unsigned int i,
-                const double      *b,
-                double            *x)
+      relax_row(const BlockRows<Number> &A,
+                const Number            *inverse_diagonal,
+                const unsigned int       i,
+                const Number            *b,
+                Number                  *x)
       {
-        double s[dim];
+        Number s[dim];
         for (int c = 0; c < dim; ++c)
           s[c] = b[i * dim + c];
         subtract_row<dim>(A, i, x, s);
-        const double *D =
+        const Number *D =
           inverse_diagonal + static_cast<unsigned long>(i) * dim * dim;
         for (int c = 0; c < dim; ++c)
           for (int d = 0; d < dim; ++d)
@@ -58,17 +58,17 @@ namespace StickSlip
 
 
 
-    template <int dim>
+    template <int dim, typename Number>
     void
-    vmult(const BlockRows   &A,
-          const unsigned int begin,
-          const unsigned int end,
-          const double      *x,
-          double            *y)
+    vmult(const BlockRows<Number> &A,
+          const unsigned int       begin,
+          const unsigned int       end,
+          const Number            *x,
+          Number                  *y)
     {
       for (unsigned int i = begin; i < end; ++i)
         {
-          double s[dim] = {};
+          Number s[dim] = {};
           subtract_row<dim>(A, i, x, s);
           for (int c = 0; c < dim; ++c)
             y[i * dim + c] = -s[c];
@@ -77,18 +77,18 @@ namespace StickSlip
 
 
 
-    template <int dim>
+    template <int dim, typename Number>
     void
-    residual(const BlockRows   &A,
-             const unsigned int begin,
-             const unsigned int end,
-             const double      *b,
-             const double      *x,
-             double            *r)
+    residual(const BlockRows<Number> &A,
+             const unsigned int       begin,
+             const unsigned int       end,
+             const Number            *b,
+             const Number            *x,
+             Number                  *r)
     {
       for (unsigned int i = begin; i < end; ++i)
         {
-          double s[dim];
+          Number s[dim];
           for (int c = 0; c < dim; ++c)
             s[c] = b[i * dim + c];
           subtract_row<dim>(A, i, x, s);
@@ -99,14 +99,14 @@ namespace StickSlip
 
 
 
-    template <int dim>
+    template <int dim, typename Number>
     void
-    gauss_seidel_forward(const BlockRows   &A,
-                         const double      *inverse_diagonal,
-                         const unsigned int begin,
-                         const unsigned int end,
-                         const double      *b,
-                         double            *x)
+    gauss_seidel_forward(const BlockRows<Number> &A,
+                         const Number            *inverse_diagonal,
+                         const unsigned int       begin,
+                         const unsigned int       end,
+                         const Number            *b,
+                         Number                  *x)
     {
       for (unsigned int i = begin; i < end; ++i)
         relax_row<dim>(A, inverse_diagonal, i, b, x);
@@ -114,34 +114,20 @@ namespace StickSlip
 
 
 
-    template <int dim>
-    void
-    gauss_seidel_backward(const BlockRows   &A,
-                          const double      *inverse_diagonal,
-                          const unsigned int begin,
-                          const unsigned int end,
-                          const double      *b,
-                          double            *x)
-    {
-      for (unsigned int i = end; i > begin; --i)
-        relax_row<dim>(A, inverse_diagonal, i - 1, b, x);
-    }
-
-
-
+    template <typename Number>
     void
     linear_combination(const unsigned int   n_terms,
                        const double        *coefficients,
-                       const double *const *terms,
+                       const Number *const *terms,
                        const unsigned long  size,
-                       double              *result)
+                       Number              *result)
     {
       // The usual case, mass, damping and stiffness, in one pass.
       if (n_terms == 3)
         {
-          const double c0 = coefficients[0], c1 = coefficients[1],
+          const Number c0 = coefficients[0], c1 = coefficients[1],
                        c2  = coefficients[2];
-          const double *t0 = terms[0], *t1 = terms[1], *t2 = terms[2];
+          const Number *t0 = terms[0], *t1 = terms[1], *t2 = terms[2];
           for (unsigned long i = 0; i < size; ++i)
             result[i] = c0 * t0[i] + c1 * t1[i] + c2 * t2[i];
           return;
@@ -150,38 +136,47 @@ namespace StickSlip
         result[i] = 0;
       for (unsigned int k = 0; k < n_terms; ++k)
         for (unsigned long i = 0; i < size; ++i)
-          result[i] += coefficients[k] * terms[k][i];
+          result[i] += Number(coefficients[k]) * terms[k][i];
     }
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                             \
-  template void vmult<dim>(const BlockRows &,                  \
-                           const unsigned int,                 \
-                           const unsigned int,                 \
-                           const double *,                     \
-                           double *);                          \
-  template void residual<dim>(const BlockRows &,               \
-                              const unsigned int,              \
-                              const unsigned int,              \
-                              const double *,                  \
-                              const double *,                  \
-                              double *);                       \
-  template void gauss_seidel_forward<dim>(const BlockRows &,   \
-                                          const double *,      \
-                                          const unsigned int,  \
-                                          const unsigned int,  \
-                                          const double *,      \
-                                          double *);           \
-  template void gauss_seidel_backward<dim>(const BlockRows &,  \
-                                           const double *,     \
-                                           const unsigned int, \
-                                           const unsigned int, \
-                                           const double *,     \
-                                           double *);
+#define STICKSLIP_INSTANTIATE(dim, Number)                                   \
+  template void vmult<dim, Number>(const BlockRows<Number> &,                \
+                                   const unsigned int,                       \
+                                   const unsigned int,                       \
+                                   const Number *,                           \
+                                   Number *);                                \
+  template void residual<dim, Number>(const BlockRows<Number> &,             \
+                                      const unsigned int,                    \
+                                      const unsigned int,                    \
+                                      const Number *,                        \
+                                      const Number *,                        \
+                                      Number *);                             \
+  template void gauss_seidel_forward<dim, Number>(const BlockRows<Number> &, \
+                                                  const Number *,            \
+                                                  const unsigned int,        \
+                                                  const unsigned int,        \
+                                                  const Number *,            \
+                                                  Number *);
 
-    STICKSLIP_INSTANTIATE(2)
-    STICKSLIP_INSTANTIATE(3)
+    STICKSLIP_INSTANTIATE(2, float)
+    STICKSLIP_INSTANTIATE(2, double)
+    STICKSLIP_INSTANTIATE(3, float)
+    STICKSLIP_INSTANTIATE(3, double)
 #undef STICKSLIP_INSTANTIATE
+
+    template void
+    linear_combination<float>(const unsigned int,
+                              const double *,
+                              const float *const *,
+                              const unsigned long,
+                              float *);
+    template void
+    linear_combination<double>(const unsigned int,
+                               const double *,
+                               const double *const *,
+                               const unsigned long,
+                               double *);
   } // namespace Kernels
 } // namespace StickSlip

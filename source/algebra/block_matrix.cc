@@ -65,8 +65,8 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  BlockMatrix<dim>::BlockMatrix(
+  template <int dim, typename Number>
+  BlockMatrix<dim, Number>::BlockMatrix(
     const std::shared_ptr<const BlockSparsity> &sparsity)
     : pattern(sparsity)
     , entries(sparsity->n_entries() * block_size)
@@ -74,56 +74,56 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   const BlockSparsity &
-  BlockMatrix<dim>::sparsity() const
+  BlockMatrix<dim, Number>::sparsity() const
   {
     return *pattern;
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   const std::shared_ptr<const BlockSparsity> &
-  BlockMatrix<dim>::shared_sparsity() const
+  BlockMatrix<dim, Number>::shared_sparsity() const
   {
     return pattern;
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   unsigned int
-  BlockMatrix<dim>::n_rows() const
+  BlockMatrix<dim, Number>::n_rows() const
   {
     return pattern->n_rows();
   }
 
 
 
-  template <int dim>
-  double *
-  BlockMatrix<dim>::block(const unsigned int position)
+  template <int dim, typename Number>
+  Number *
+  BlockMatrix<dim, Number>::block(const unsigned int position)
   {
     return entries.data() + std::size_t(position) * block_size;
   }
 
 
 
-  template <int dim>
-  const double *
-  BlockMatrix<dim>::block(const unsigned int position) const
+  template <int dim, typename Number>
+  const Number *
+  BlockMatrix<dim, Number>::block(const unsigned int position) const
   {
     return entries.data() + std::size_t(position) * block_size;
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   Tensor<2, dim>
-  BlockMatrix<dim>::diagonal_block(const unsigned int row) const
+  BlockMatrix<dim, Number>::diagonal_block(const unsigned int row) const
   {
-    const double  *values = block(pattern->diagonal[row]);
+    const Number  *values = block(pattern->diagonal[row]);
     Tensor<2, dim> result;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
@@ -133,12 +133,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  BlockMatrix<dim>::set_diagonal_block(const unsigned int    row,
-                                       const Tensor<2, dim> &value)
+  BlockMatrix<dim, Number>::set_diagonal_block(const unsigned int    row,
+                                               const Tensor<2, dim> &value)
   {
-    double *values = block(pattern->diagonal[row]);
+    Number *values = block(pattern->diagonal[row]);
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         values[c * dim + d] = value[c][d];
@@ -146,36 +146,37 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  AlignedVector<double> &
-  BlockMatrix<dim>::values()
+  template <int dim, typename Number>
+  AlignedVector<Number> &
+  BlockMatrix<dim, Number>::values()
   {
     return entries;
   }
 
 
 
-  template <int dim>
-  const AlignedVector<double> &
-  BlockMatrix<dim>::values() const
+  template <int dim, typename Number>
+  const AlignedVector<Number> &
+  BlockMatrix<dim, Number>::values() const
   {
     return entries;
   }
 
 
 
-  template <int dim>
-  Kernels::BlockRows
-  BlockMatrix<dim>::rows() const
+  template <int dim, typename Number>
+  Kernels::BlockRows<Number>
+  BlockMatrix<dim, Number>::rows() const
   {
     return {pattern->row_start.data(), pattern->column.data(), entries.data()};
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  BlockMatrix<dim>::vmult(NodalVector &y, const NodalVector &x) const
+  BlockMatrix<dim, Number>::vmult(NodeValues<Number>       &y,
+                                  const NodeValues<Number> &x) const
   {
     update_ghosts(x);
     Kernels::vmult<dim>(rows(), 0, n_rows(), x.begin(), y.begin());
@@ -183,11 +184,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  BlockMatrix<dim>::residual(NodalVector       &r,
-                             const NodalVector &b,
-                             const NodalVector &x) const
+  BlockMatrix<dim, Number>::residual(NodeValues<Number>       &r,
+                                     const NodeValues<Number> &b,
+                                     const NodeValues<Number> &x) const
   {
     update_ghosts(x);
     Kernels::residual<dim>(
@@ -196,37 +197,43 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  BlockMatrix<dim>::combine(const std::vector<double> &coefficients,
-                            const std::vector<const BlockMatrix *> &terms)
+  BlockMatrix<dim, Number>::combine(const std::vector<double> &coefficients,
+                                    const std::vector<BlockMatrix> &terms,
+                                    const unsigned int              begin,
+                                    const unsigned int              end)
   {
     AssertDimension(coefficients.size(), terms.size());
-    std::vector<const double *> pointers;
-    for (const BlockMatrix *term : terms)
+    const std::size_t first = std::size_t(pattern->row_start[begin]),
+                      last  = std::size_t(pattern->row_start[end]);
+    std::vector<const Number *> pointers;
+    for (const BlockMatrix &term : terms)
       {
-        Assert(term->pattern == pattern,
+        Assert(term.pattern == pattern,
                ExcMessage("Matrices of one family share their sparsity."));
-        pointers.push_back(term->entries.data());
+        pointers.push_back(term.block(first));
       }
     Kernels::linear_combination(terms.size(),
                                 coefficients.data(),
                                 pointers.data(),
-                                entries.size(),
-                                entries.data());
+                                (last - first) * block_size,
+                                block(first));
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   std::size_t
-  BlockMatrix<dim>::memory_consumption() const
+  BlockMatrix<dim, Number>::memory_consumption() const
   {
-    return sizeof(double) * entries.size();
+    return sizeof(Number) * entries.size();
   }
 
 
 
-  template class BlockMatrix<2>;
-  template class BlockMatrix<3>;
+  template class BlockMatrix<2, double>;
+  template class BlockMatrix<3, double>;
+  template class BlockMatrix<2, float>;
+  template class BlockMatrix<3, float>;
 } // namespace StickSlip

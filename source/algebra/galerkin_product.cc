@@ -197,10 +197,11 @@ namespace StickSlip
 
 
   template <int dim>
+  template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute(const BlockMatrix<dim> &fine,
-                                const NodeMask         &fine_mask,
-                                BlockMatrix<dim>       &coarse)
+  GalerkinProduct<dim>::compute(const BlockMatrix<dim, FineNumber> &fine,
+                                const NodeMask                     &fine_mask,
+                                BlockMatrix<dim, CoarseNumber>     &coarse)
   {
     compute(fine, fine_mask, all, coarse);
   }
@@ -217,10 +218,12 @@ namespace StickSlip
 
 
   template <int dim>
+  template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute_selected_rows(const BlockMatrix<dim> &fine,
-                                              const NodeMask         &fine_mask,
-                                              BlockMatrix<dim>       &coarse)
+  GalerkinProduct<dim>::compute_selected_rows(
+    const BlockMatrix<dim, FineNumber> &fine,
+    const NodeMask                     &fine_mask,
+    BlockMatrix<dim, CoarseNumber>     &coarse)
   {
     compute(fine, fine_mask, selected, coarse);
   }
@@ -228,11 +231,12 @@ namespace StickSlip
 
 
   template <int dim>
+  template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute(const BlockMatrix<dim> &fine,
-                                const NodeMask         &fine_mask,
-                                const Rows             &rows,
-                                BlockMatrix<dim>       &coarse)
+  GalerkinProduct<dim>::compute(const BlockMatrix<dim, FineNumber> &fine,
+                                const NodeMask                     &fine_mask,
+                                const Rows                         &rows,
+                                BlockMatrix<dim, CoarseNumber>     &coarse)
   {
     for (const unsigned int I : rows.owned)
       compute_row(fine, fine_mask, I, *sparsity, I, coarse.values().data());
@@ -259,13 +263,14 @@ namespace StickSlip
 
 
   template <int dim>
+  template <typename FineNumber, typename TargetNumber>
   void
-  GalerkinProduct<dim>::compute_row(const BlockMatrix<dim> &fine,
-                                    const NodeMask         &fine_mask,
-                                    const unsigned int      I,
-                                    const BlockSparsity    &target,
-                                    const unsigned int      target_row,
-                                    double                 *values)
+  GalerkinProduct<dim>::compute_row(const BlockMatrix<dim, FineNumber> &fine,
+                                    const NodeMask      &fine_mask,
+                                    const unsigned int   I,
+                                    const BlockSparsity &target,
+                                    const unsigned int   target_row,
+                                    TargetNumber        *values)
   {
     constexpr unsigned int n  = dim * dim;
     const auto            &P  = transfer.matrix();
@@ -290,8 +295,8 @@ namespace StickSlip
                 row_columns.push_back(j);
                 row_values.resize(row_values.size() + n, 0.);
               }
-            double       *sum   = &row_values[row_position[j] * n];
-            const double *block = fine.block(m);
+            double           *sum   = &row_values[row_position[j] * n];
+            const FineNumber *block = fine.block(m);
             for (unsigned int c = 0; c < dim; ++c)
               for (unsigned int d = 0; d < dim; ++d)
                 sum[c * dim + d] += weight[c] * block[c * dim + d];
@@ -299,13 +304,11 @@ namespace StickSlip
       }
 
     // ... times P.
-    for (unsigned int K = target.row_start[target_row];
-         K < target.row_start[target_row + 1];
-         ++K)
-      {
-        coarse_position[target.column[K]] = K;
-        std::fill_n(values + std::size_t(K) * n, n, 0.);
-      }
+    const unsigned int first = target.row_start[target_row];
+    const unsigned int size  = target.row_start[target_row + 1] - first;
+    coarse_values.assign(std::size_t(size) * n, 0.);
+    for (unsigned int k = 0; k < size; ++k)
+      coarse_position[target.column[first + k]] = k;
     for (unsigned int m = 0; m < row_columns.size(); ++m)
       {
         const unsigned int j   = row_columns[m];
@@ -318,16 +321,34 @@ namespace StickSlip
                 sum[c * dim + d] = 0.;
         for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1]; ++q)
           {
-            double *entry =
-              values + std::size_t(coarse_position[P.column[q]]) * n;
+            double *entry = &coarse_values[coarse_position[P.column[q]] * n];
             for (unsigned int c = 0; c < n; ++c)
               entry[c] += P.value[q] * sum[c];
           }
       }
+    std::copy(coarse_values.begin(),
+              coarse_values.end(),
+              values + std::size_t(first) * n);
   }
 
 
 
-  template class GalerkinProduct<2>;
-  template class GalerkinProduct<3>;
+#define STICKSLIP_INSTANTIATE_NUMBERS(dim, FineNumber, CoarseNumber)     \
+  template void GalerkinProduct<dim>::compute<FineNumber, CoarseNumber>( \
+    const BlockMatrix<dim, FineNumber> &,                                \
+    const NodeMask &,                                                    \
+    BlockMatrix<dim, CoarseNumber> &);                                   \
+  template void                                                          \
+  GalerkinProduct<dim>::compute_selected_rows<FineNumber, CoarseNumber>( \
+    const BlockMatrix<dim, FineNumber> &,                                \
+    const NodeMask &,                                                    \
+    BlockMatrix<dim, CoarseNumber> &);
+#define STICKSLIP_INSTANTIATE(dim)                   \
+  template class GalerkinProduct<dim>;               \
+  STICKSLIP_INSTANTIATE_NUMBERS(dim, double, double) \
+  STICKSLIP_INSTANTIATE_NUMBERS(dim, double, float)  \
+  STICKSLIP_INSTANTIATE_NUMBERS(dim, float, float)
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

@@ -116,10 +116,11 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
-  NodeMask::apply(NodalVector &vector) const
+  NodeMask::apply(NodeValues<Number> &vector) const
   {
-    double *values = vector.begin();
+    Number *values = vector.begin();
     for (const unsigned int node : restricted)
       for (unsigned int c = 0; c < components; ++c)
         if (!is_active(node, c))
@@ -133,4 +134,11 @@ namespace StickSlip
   {
     return std::equal(active.begin(), active.begin() + n, other.active.begin());
   }
+
+
+
+  template void
+  NodeMask::apply<double>(NodalVector &) const;
+  template void
+  NodeMask::apply<float>(NodeValues<float> &) const;
 } // namespace StickSlip

@@ -25,8 +25,9 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
-  update_ghosts(const NodalVector &vector)
+  update_ghosts(const NodeValues<Number> &vector)
   {
     vector.update_ghost_values();
     vector.set_ghost_state(false);
@@ -34,8 +35,9 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
-  add_ghosts_to_owners(NodalVector &vector)
+  add_ghosts_to_owners(NodeValues<Number> &vector)
   {
     vector.compress(VectorOperation::add);
   }
@@ -156,9 +158,25 @@ namespace StickSlip
 
 
 
-  NodalVector
+  template <typename Number>
+  NodeValues<Number>
   NodePartition::make_vector() const
   {
-    return NodalVector(entry_partitioner);
+    return NodeValues<Number>(entry_partitioner);
   }
+
+
+
+  template void
+  update_ghosts<double>(const NodalVector &);
+  template void
+  update_ghosts<float>(const NodeValues<float> &);
+  template void
+  add_ghosts_to_owners<double>(NodalVector &);
+  template void
+  add_ghosts_to_owners<float>(NodeValues<float> &);
+  template NodalVector
+  NodePartition::make_vector<double>() const;
+  template NodeValues<float>
+  NodePartition::make_vector<float>() const;
 } // namespace StickSlip

@@ -77,9 +77,10 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
   RowExchange::add_to_owners(const AlignedVector<double> &ghost_values,
-                             AlignedVector<double>       &owned_values,
+                             AlignedVector<Number>       &owned_values,
                              const unsigned int           block_size) const
   {
     std::vector<std::vector<double>> out(receivers.size()), in(senders.size());
@@ -120,4 +121,15 @@ namespace StickSlip
           owned_values[std::size_t(senders[s].entries[k]) * block_size + c] +=
             in[s][std::size_t(k) * block_size + c];
   }
+
+
+
+  template void
+  RowExchange::add_to_owners<double>(const AlignedVector<double> &,
+                                     AlignedVector<double> &,
+                                     const unsigned int) const;
+  template void
+  RowExchange::add_to_owners<float>(const AlignedVector<double> &,
+                                    AlignedVector<float> &,
+                                    const unsigned int) const;
 } // namespace StickSlip

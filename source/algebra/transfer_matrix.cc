@@ -40,20 +40,20 @@ namespace StickSlip
 
     /** The first @p n_rows rows of y = A x or y += A x, with a fixed number of
      * components. */
-    template <int components, bool add>
+    template <int components, bool add, typename Number>
     void
     multiply(const TransferMatrix::Compressed &A,
              const unsigned int                n_rows,
-             const double                     *x,
-             double                           *y)
+             const Number                     *x,
+             Number                           *y)
     {
       for (unsigned int i = 0; i < n_rows; ++i)
         {
-          double sum[components] = {};
+          Number sum[components] = {};
           for (unsigned int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
             for (int c = 0; c < components; ++c)
-              sum[c] +=
-                A.value[k] * x[std::size_t(A.column[k]) * components + c];
+              sum[c] += Number(A.value[k]) *
+                        x[std::size_t(A.column[k]) * components + c];
           for (int c = 0; c < components; ++c)
             if (add)
               y[std::size_t(i) * components + c] += sum[c];
@@ -64,12 +64,12 @@ namespace StickSlip
 
 
 
-    template <bool add>
+    template <bool add, typename Number>
     void
     multiply(const TransferMatrix::Compressed &A,
              const unsigned int                n_rows,
-             const NodalVector                &x,
-             NodalVector                      &y,
+             const NodeValues<Number>         &x,
+             NodeValues<Number>               &y,
              const unsigned int                components)
     {
       switch (components)
@@ -142,10 +142,11 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
-  TransferMatrix::prolongate(NodalVector       &fine,
-                             const NodalVector &coarse,
-                             const unsigned int components) const
+  TransferMatrix::prolongate(NodeValues<Number>       &fine,
+                             const NodeValues<Number> &coarse,
+                             const unsigned int        components) const
   {
     update_ghosts(coarse);
     multiply<false>(by_row, n_owned_rows, coarse, fine, components);
@@ -153,10 +154,11 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
-  TransferMatrix::prolongate_add(NodalVector       &fine,
-                                 const NodalVector &coarse,
-                                 const unsigned int components) const
+  TransferMatrix::prolongate_add(NodeValues<Number>       &fine,
+                                 const NodeValues<Number> &coarse,
+                                 const unsigned int        components) const
   {
     update_ghosts(coarse);
     multiply<true>(by_row, n_owned_rows, coarse, fine, components);
@@ -164,10 +166,11 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   void
-  TransferMatrix::restrict_to(NodalVector       &coarse,
-                              const NodalVector &fine,
-                              const unsigned int components) const
+  TransferMatrix::restrict_to(NodeValues<Number>       &coarse,
+                              const NodeValues<Number> &fine,
+                              const unsigned int        components) const
   {
     // The owned fine nodes' shares, to own coarse nodes and to ghosts.
     multiply<false>(by_column, n_columns(), fine, coarse, components);
@@ -200,4 +203,20 @@ namespace StickSlip
   {
     return by_column;
   }
+
+
+
+#define STICKSLIP_INSTANTIATE(Number)                                          \
+  template void TransferMatrix::prolongate<Number>(NodeValues<Number> &,       \
+                                                   const NodeValues<Number> &, \
+                                                   const unsigned int) const;  \
+  template void TransferMatrix::prolongate_add<Number>(                        \
+    NodeValues<Number> &, const NodeValues<Number> &, const unsigned int)      \
+    const;                                                                     \
+  template void TransferMatrix::restrict_to<Number>(                           \
+    NodeValues<Number> &, const NodeValues<Number> &, const unsigned int)      \
+    const;
+
+  STICKSLIP_INSTANTIATE(double)
+  STICKSLIP_INSTANTIATE(float)
 } // namespace StickSlip

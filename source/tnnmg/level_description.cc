@@ -90,13 +90,11 @@ namespace StickSlip
   NodeMask
   coarsen_mask(const LevelDescription<dim> &coarse,
                const LevelDescription<dim> &fine,
-               const NodeMask              &fine_mask,
-               NodalVector                 &scratch)
+               const NodeMask              &fine_mask)
   {
     // How many fine neighbours of the same kind take part.
-    NodalVector &n_active = scratch;
-    n_active              = 0.;
-    const auto &P         = fine.to_coarser->prolongation().matrix();
+    NodalVector n_active = coarse.nodes.make_vector();
+    const auto &P        = fine.to_coarser->prolongation().matrix();
     for (const unsigned int i : fine.nonsmooth_nodes)
       for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
         for (unsigned int c = 0; c < dim; ++c)
@@ -125,8 +123,7 @@ namespace StickSlip
                                              const std::vector<bool> &);      \
   template NodeMask          coarsen_mask<dim>(const LevelDescription<dim> &, \
                                       const LevelDescription<dim> &, \
-                                      const NodeMask &,              \
-                                      NodalVector &);
+                                      const NodeMask &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -16,7 +16,7 @@ namespace StickSlip
     const NodeMask         &fixed   = hierarchy.finest().fixed;
     const double           *inverse = hierarchy.inverse_diagonal().data();
     const std::vector<unsigned int> &nodes = functional.nodes();
-    const Kernels::BlockRows         A     = matrix.rows();
+    const Kernels::BlockRows<double> A     = matrix.rows();
 
     update_ghosts(w);
     unsigned int next = 0;

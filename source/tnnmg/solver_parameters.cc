@@ -51,6 +51,16 @@ namespace StickSlip
                "than this fraction since the last time, without unit; 0: in "
                "every iteration.");
     add_choice(prm,
+               "Cycle precision",
+               cycle_precision,
+               {{CyclePrecision::single_precision, "single"},
+                {CyclePrecision::double_precision, "double"}},
+               "The precision of matrices and vectors in the multigrid cycles, "
+               "which only precondition; the solution is in double precision "
+               "either way. Single precision is faster and takes as many "
+               "iterations; double precision is for bodies whose stiffness "
+               "differs by many orders of magnitude.");
+    add_choice(prm,
                "Coarse solver",
                coarse_solver,
                {{CoarseSolverType::direct, "direct"},

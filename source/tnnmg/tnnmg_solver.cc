@@ -80,6 +80,7 @@ namespace StickSlip
     hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
     hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);
     hierarchy.set_coarse_solver(parameters.coarse_solver);
+    hierarchy.set_cycle_precision(parameters.cycle_precision);
   }
 
 

@@ -8,7 +8,7 @@
  * The inner loops on nodal block matrices: dim x dim blocks, stored row by row
  * (row-major inside a block), vectors with dim consecutive entries a node.
  * Plain C++ without other headers, so that this file alone may be compiled
- * for the machine's own instruction set.
+ * for the machine's own instruction set. Instantiated for float and double.
  */
 namespace StickSlip
 {
@@ -19,63 +19,55 @@ namespace StickSlip
      * indices refer to the local numbering of a vector: owned nodes first,
      * ghost nodes behind.
      */
+    template <typename Number>
     struct BlockRows
     {
       const unsigned int *row_start;
       const unsigned int *column;
-      const double       *values;
+      const Number       *values;
     };
 
     /** y_i = sum_j A_ij x_j for the rows begin <= i < end. */
-    template <int dim>
+    template <int dim, typename Number>
     void
-    vmult(const BlockRows   &A,
-          const unsigned int begin,
-          const unsigned int end,
-          const double      *x,
-          double            *y);
+    vmult(const BlockRows<Number> &A,
+          const unsigned int       begin,
+          const unsigned int       end,
+          const Number            *x,
+          Number                  *y);
 
     /** r_i = b_i - sum_j A_ij x_j for the rows begin <= i < end. */
-    template <int dim>
+    template <int dim, typename Number>
     void
-    residual(const BlockRows   &A,
-             const unsigned int begin,
-             const unsigned int end,
-             const double      *b,
-             const double      *x,
-             double            *r);
+    residual(const BlockRows<Number> &A,
+             const unsigned int       begin,
+             const unsigned int       end,
+             const Number            *b,
+             const Number            *x,
+             Number                  *r);
 
     /**
      * Block Gauss-Seidel over the rows begin <= i < end in ascending order:
      * x_i += D_i (b - A x)_i with @p inverse_diagonal D_i, which is zero in
      * the rows and columns of components that must not change.
      */
-    template <int dim>
+    template <int dim, typename Number>
     void
-    gauss_seidel_forward(const BlockRows   &A,
-                         const double      *inverse_diagonal,
-                         const unsigned int begin,
-                         const unsigned int end,
-                         const double      *b,
-                         double            *x);
-
-    /** The same in descending order. */
-    template <int dim>
-    void
-    gauss_seidel_backward(const BlockRows   &A,
-                          const double      *inverse_diagonal,
-                          const unsigned int begin,
-                          const unsigned int end,
-                          const double      *b,
-                          double            *x);
+    gauss_seidel_forward(const BlockRows<Number> &A,
+                         const Number            *inverse_diagonal,
+                         const unsigned int       begin,
+                         const unsigned int       end,
+                         const Number            *b,
+                         Number                  *x);
 
     /** result = sum_k coefficients[k] * terms[k], entry by entry. */
+    template <typename Number>
     void
     linear_combination(const unsigned int   n_terms,
                        const double        *coefficients,
-                       const double *const *terms,
+                       const Number *const *terms,
                        const unsigned long  size,
-                       double              *result);
+                       Number              *result);
   } // namespace Kernels
 } // namespace StickSlip
 

@@ -49,9 +49,10 @@ namespace StickSlip
 
   /**
    * A square matrix of dim x dim blocks over the nodes of a level: rows of the
-   * owned nodes, columns of owned and ghost nodes.
+   * owned nodes, columns of owned and ghost nodes. What is stored in single
+   * precision serves as preconditioner; it is read and written as double.
    */
-  template <int dim>
+  template <int dim, typename Number = double>
   class BlockMatrix
   {
   public:
@@ -71,10 +72,10 @@ namespace StickSlip
     n_rows() const;
 
     /** The dim x dim numbers of the entry at a position, row by row. */
-    double *
+    Number *
     block(const unsigned int position);
 
-    const double *
+    const Number *
     block(const unsigned int position) const;
 
     Tensor<2, dim>
@@ -83,28 +84,32 @@ namespace StickSlip
     void
     set_diagonal_block(const unsigned int row, const Tensor<2, dim> &value);
 
-    AlignedVector<double> &
+    AlignedVector<Number> &
     values();
 
-    const AlignedVector<double> &
+    const AlignedVector<Number> &
     values() const;
 
-    Kernels::BlockRows
+    Kernels::BlockRows<Number>
     rows() const;
 
     /** y = A x. Collective among neighbours, like the next. */
     void
-    vmult(NodalVector &y, const NodalVector &x) const;
+    vmult(NodeValues<Number> &y, const NodeValues<Number> &x) const;
 
     /** r = b - A x. */
     void
-    residual(NodalVector &r, const NodalVector &b, const NodalVector &x) const;
+    residual(NodeValues<Number>       &r,
+             const NodeValues<Number> &b,
+             const NodeValues<Number> &x) const;
 
-    /** This matrix becomes sum_k coefficients[k] * terms[k]; all share one
-     * sparsity. */
+    /** The rows begin <= i < end of this matrix become those of
+     * sum_k coefficients[k] * terms[k]; all share one sparsity. */
     void
-    combine(const std::vector<double>              &coefficients,
-            const std::vector<const BlockMatrix *> &terms);
+    combine(const std::vector<double>      &coefficients,
+            const std::vector<BlockMatrix> &terms,
+            const unsigned int              begin,
+            const unsigned int              end);
 
     /** Bytes of the values; the sparsity is shared. */
     std::size_t
@@ -112,7 +117,7 @@ namespace StickSlip
 
   private:
     std::shared_ptr<const BlockSparsity> pattern;
-    AlignedVector<double>                entries;
+    AlignedVector<Number>                entries;
   };
 } // namespace StickSlip
 

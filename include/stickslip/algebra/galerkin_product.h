@@ -19,7 +19,8 @@ namespace StickSlip
    * see it.
    *
    * Each process forms the share of its own rows of A; what belongs to coarse
-   * nodes of others is sent to these and added there.
+   * nodes of others is sent to these and added there. Matrices may be in single
+   * or double precision; sums are formed in double precision.
    */
   template <int dim>
   class GalerkinProduct
@@ -56,10 +57,11 @@ namespace StickSlip
      * All rows of coarse = P^T (S A S) P, where S sets the components masked
      * by @p fine_mask to zero; the mask must hold for ghosts too. Collective.
      */
+    template <typename FineNumber, typename CoarseNumber>
     void
-    compute(const BlockMatrix<dim> &fine,
-            const NodeMask         &fine_mask,
-            BlockMatrix<dim>       &coarse);
+    compute(const BlockMatrix<dim, FineNumber> &fine,
+            const NodeMask                     &fine_mask,
+            BlockMatrix<dim, CoarseNumber>     &coarse);
 
     /**
      * Choose the rows of compute_selected_rows(), by the local index of the
@@ -70,10 +72,11 @@ namespace StickSlip
     select_rows(const std::vector<bool> &is_selected);
 
     /** The same as compute() for the selected rows only. Collective. */
+    template <typename FineNumber, typename CoarseNumber>
     void
-    compute_selected_rows(const BlockMatrix<dim> &fine,
-                          const NodeMask         &fine_mask,
-                          BlockMatrix<dim>       &coarse);
+    compute_selected_rows(const BlockMatrix<dim, FineNumber> &fine,
+                          const NodeMask                     &fine_mask,
+                          BlockMatrix<dim, CoarseNumber>     &coarse);
 
     std::size_t
     memory_consumption() const;
@@ -90,21 +93,23 @@ namespace StickSlip
     Rows
     make_rows(const std::vector<bool> &is_selected) const;
 
+    template <typename FineNumber, typename CoarseNumber>
     void
-    compute(const BlockMatrix<dim> &fine,
-            const NodeMask         &fine_mask,
-            const Rows             &rows,
-            BlockMatrix<dim>       &coarse);
+    compute(const BlockMatrix<dim, FineNumber> &fine,
+            const NodeMask                     &fine_mask,
+            const Rows                         &rows,
+            BlockMatrix<dim, CoarseNumber>     &coarse);
 
     /** The share of this process in one coarse row, whose entries are those of
      * @p target in row @p target_row. */
+    template <typename FineNumber, typename TargetNumber>
     void
-    compute_row(const BlockMatrix<dim> &fine,
-                const NodeMask         &fine_mask,
-                const unsigned int      row,
-                const BlockSparsity    &target,
-                const unsigned int      target_row,
-                double                 *values);
+    compute_row(const BlockMatrix<dim, FineNumber> &fine,
+                const NodeMask                     &fine_mask,
+                const unsigned int                  row,
+                const BlockSparsity                &target,
+                const unsigned int                  target_row,
+                TargetNumber                       *values);
 
     NodePartition                        nodes;
     TransferMatrix                       transfer;
@@ -114,11 +119,13 @@ namespace StickSlip
     AlignedVector<double> ghost_values;
     Rows                  all, selected;
 
-    /** Work space: P^T A for one coarse row, as a list of fine columns. */
+    /** Work space: P^T A for one coarse row, as a list of fine columns, and
+     * the row of the product. */
     std::vector<double>       row_values;
     std::vector<unsigned int> row_columns;
     std::vector<int>          row_position;
     std::vector<unsigned int> coarse_position;
+    std::vector<double>       coarse_values;
   };
 } // namespace StickSlip
 

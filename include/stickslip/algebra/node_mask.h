@@ -58,8 +58,9 @@ namespace StickSlip
     update_ghosts(const NodePartition &nodes);
 
     /** Set the masked entries of @p vector to zero. */
+    template <typename Number>
     void
-    apply(NodalVector &vector) const;
+    apply(NodeValues<Number> &vector) const;
 
     /** Whether the masks of the first @p n nodes are the same. */
     bool

@@ -17,9 +17,13 @@ namespace StickSlip
 
   /**
    * A vector of nodal values, dim consecutive entries for each node of a
-   * NodePartition; owned nodes first, ghost nodes behind.
+   * NodePartition; owned nodes first, ghost nodes behind. Single precision is
+   * for preconditioners.
    */
-  using NodalVector = LinearAlgebra::distributed::Vector<double>;
+  template <typename Number>
+  using NodeValues = LinearAlgebra::distributed::Vector<Number>;
+
+  using NodalVector = NodeValues<double>;
 
   /**
    * Fetch the values of the ghost nodes from their owners. Collective among
@@ -27,15 +31,17 @@ namespace StickSlip
    * flag stays unset, so that the library does not repeat it unasked after each
    * of its operations.
    */
+  template <typename Number>
   void
-  update_ghosts(const NodalVector &vector);
+  update_ghosts(const NodeValues<Number> &vector);
 
   /**
    * Add the values of the ghost nodes to those of their owners, and set them to
    * zero. Collective among neighbours.
    */
+  template <typename Number>
   void
-  add_ghosts_to_owners(NodalVector &vector);
+  add_ghosts_to_owners(NodeValues<Number> &vector);
 
   /**
    * All entries of a vector in the order of their global numbers, on the first
@@ -104,7 +110,8 @@ namespace StickSlip
     nodes() const;
 
     /** A zero vector. */
-    NodalVector
+    template <typename Number = double>
+    NodeValues<Number>
     make_vector() const;
 
   private:

@@ -35,9 +35,10 @@ namespace StickSlip
      * Add the values of the ghost rows, @p block_size numbers an entry, to
      * those of the owners. Collective among neighbours.
      */
+    template <typename Number>
     void
     add_to_owners(const AlignedVector<double> &ghost_values,
-                  AlignedVector<double>       &owned_values,
+                  AlignedVector<Number>       &owned_values,
                   const unsigned int           block_size) const;
 
   private:

@@ -51,22 +51,25 @@ namespace StickSlip
 
     /** fine = P coarse, each node with @p components entries. This and the next
      * two are collective among neighbours. */
+    template <typename Number>
     void
-    prolongate(NodalVector       &fine,
-               const NodalVector &coarse,
-               const unsigned int components) const;
+    prolongate(NodeValues<Number>       &fine,
+               const NodeValues<Number> &coarse,
+               const unsigned int        components) const;
 
     /** fine += P coarse. */
+    template <typename Number>
     void
-    prolongate_add(NodalVector       &fine,
-                   const NodalVector &coarse,
-                   const unsigned int components) const;
+    prolongate_add(NodeValues<Number>       &fine,
+                   const NodeValues<Number> &coarse,
+                   const unsigned int        components) const;
 
     /** coarse = P^T fine. */
+    template <typename Number>
     void
-    restrict_to(NodalVector       &coarse,
-                const NodalVector &fine,
-                const unsigned int components) const;
+    restrict_to(NodeValues<Number>       &coarse,
+                const NodeValues<Number> &fine,
+                const unsigned int        components) const;
 
     std::size_t
     memory_consumption() const;

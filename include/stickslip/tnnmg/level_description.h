@@ -63,15 +63,13 @@ namespace StickSlip
 
   /**
    * The components that take part on the level @p coarse where those of
-   * @p fine_mask do on the level @p fine. @p scratch is a vector of the coarse
-   * level.
+   * @p fine_mask do on the level @p fine.
    */
   template <int dim>
   NodeMask
   coarsen_mask(const LevelDescription<dim> &coarse,
                const LevelDescription<dim> &fine,
-               const NodeMask              &fine_mask,
-               NodalVector                 &scratch);
+               const NodeMask              &fine_mask);
 } // namespace StickSlip
 
 #endif

@@ -4,8 +4,7 @@
 #ifndef stickslip_tnnmg_level_hierarchy_h
 #define stickslip_tnnmg_level_hierarchy_h
 
-#include <stickslip/tnnmg/coarse_solver.h>
-#include <stickslip/tnnmg/level_description.h>
+#include <stickslip/tnnmg/v_cycle.h>
 
 #include <vector>
 
@@ -19,9 +18,9 @@ namespace StickSlip
    * where H is the second derivative of a nonsmooth functional, block diagonal
    * at the nonsmooth nodes, and S sets the masked and the truncated components
    * to zero. Coarse operators are Galerkin products. Those of the terms are
-   * computed once; a change of the coefficients costs a linear combination on
-   * each level, a change of H or S the products of the rows near the nonsmooth
-   * nodes.
+   * computed once, when the first cycle is prepared; a change of the
+   * coefficients costs a linear combination on each level, a change of H or S
+   * the products of the rows near the nonsmooth nodes.
    *
    * All member functions that compute are collective. Gauss-Seidel acts on the
    * nodes of each process, with the values of the others as they were before
@@ -86,9 +85,9 @@ namespace StickSlip
     const LevelDescription<dim> &
     description(const unsigned int l) const;
 
-    /** The operator on level @p l; below the finest one that of the last
-     * linearisation near the nonsmooth nodes. */
-    const BlockMatrix<dim> &
+    /** A copy of the operator on level @p l; below the finest one that of the
+     * last linearisation near the nonsmooth nodes. linearise() comes first. */
+    BlockMatrix<dim>
     level_matrix(const unsigned int l) const;
 
     unsigned int
@@ -105,9 +104,13 @@ namespace StickSlip
     set_coarse_update_threshold(const double threshold);
 
     /** How the coarsest level is solved; by factorisation from the start. Asks
-     * for a new linearisation if this is another one. */
+     * for a new linearisation if this is another one, like the next. */
     void
     set_coarse_solver(const CoarseSolverType type);
+
+    /** The precision of the cycle; single from the start. */
+    void
+    set_cycle_precision(const CyclePrecision precision);
 
     /** Number of V-cycles since the construction. */
     unsigned long
@@ -118,23 +121,13 @@ namespace StickSlip
     memory_consumption() const;
 
   private:
-    struct Level
-    {
-      LevelDescription<dim> description;
-
-      std::vector<BlockMatrix<dim>> terms;
-      BlockMatrix<dim>              matrix;
-      AlignedVector<double>         inverse_diagonal;
-
-      /** The owned rows that a change of H or of the truncation can touch. */
-      std::vector<unsigned int> strip;
-      NodeMask                  active;
-
-      NodalVector solution, rhs, residual;
-    };
-
+    /** Make the cycle with all that it needs of the terms. */
     void
-    find_strips();
+    prepare_cycle();
+
+    /** The operator A in the rows begin <= i < end. */
+    void
+    combine_rows(const unsigned int begin, const unsigned int end);
 
     /** How much of a linearisation has to be done again. */
     enum class Change
@@ -156,23 +149,21 @@ namespace StickSlip
     are_close(const std::vector<Tensor<2, dim>> &a,
               const std::vector<Tensor<2, dim>> &b) const;
 
-    /** Hand the linearisation on the finest level down to all others. */
-    void
-    linearise_coarse_levels();
+    std::vector<LevelDescription<dim>> levels;
+    std::vector<BlockMatrix<dim>>      terms;
+    BlockMatrix<dim>                   A;
+    AlignedVector<double>              inverse_diagonals;
+    NodeMask                           active;
 
-    void
-    cycle(const unsigned int l, NodalVector &x, const NodalVector &b);
-
-    std::vector<Level> levels;
-    /** Only where the coarsest level is. */
-    CoarseSolverType                   coarse_solver_type;
-    std::unique_ptr<CoarseSolver<dim>> coarse_solver;
-    std::vector<double>                current_coefficients;
-    std::vector<Tensor<2, dim>>        current_hessians, coarse_hessians;
-    double                             coarse_update_threshold = 0;
-    bool                               is_linearised           = false;
-    unsigned int                       sweeps                  = 1;
-    unsigned long                      cycle_count             = 0;
+    CoarseSolverType             coarse_solver = CoarseSolverType::direct;
+    CyclePrecision               precision = CyclePrecision::single_precision;
+    std::unique_ptr<VCycle<dim>> cycle;
+    std::vector<double>          current_coefficients;
+    std::vector<Tensor<2, dim>>  current_hessians, coarse_hessians;
+    double                       coarse_update_threshold = 0;
+    bool                         is_linearised           = false;
+    unsigned int                 sweeps                  = 1;
+    unsigned long                cycle_count             = 0;
   };
 } // namespace StickSlip
 

@@ -6,7 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <stickslip/tnnmg/coarse_solver.h>
+#include <stickslip/tnnmg/v_cycle.h>
 
 namespace StickSlip
 {
@@ -43,6 +43,9 @@ namespace StickSlip
      * anew where it has changed by more than this fraction since the last time.
      */
     double coarse_update_threshold = 0.5;
+
+    /** The precision of the cycles. */
+    CyclePrecision cycle_precision = CyclePrecision::single_precision;
 
     /** How the coarsest level is solved. */
     CoarseSolverType coarse_solver = CoarseSolverType::direct;

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/algebra/sweep_kernels.h>
+
+namespace StickSlip
+{
+  namespace Kernels
+  {
+    namespace
+    {
+      /** Four numbers in one register, with the alignment of one of them. (An
+       * extension of GCC and Clang.) */
+      template <typename Number>
+      struct Four
+      {
+        using type __attribute__((vector_size(4 * sizeof(Number)),
+                                  aligned(sizeof(Number)))) = Number;
+      };
+
+
+
+      /** (y0, y1, y0, y1), by one instruction where the compiler is told that
+       * two numbers are one of twice the size. */
+      template <typename Number>
+      inline typename Four<Number>::type
+      twice(const Number *y)
+      {
+        using Pair __attribute__((vector_size(2 * sizeof(Number)),
+                                  aligned(sizeof(Number)))) = Number;
+        const Pair pair = *reinterpret_cast<const Pair *>(y);
+        return __builtin_shufflevector(pair, pair, 0, 1, 0, 1);
+      }
+
+
+
+      /** A sum of products of blocks and vectors of one node. */
+      template <int dim, typename Number>
+      class RowSum;
+
+
+
+      template <typename Number>
+      class RowSum<2, Number>
+      {
+      public:
+        inline void
+        add(const Number *block, const Number *y)
+        {
+          sum += *reinterpret_cast<const Vector *>(block) * twice(y);
+        }
+
+        inline void
+        get(Number *s) const
+        {
+          s[0] = sum[0] + sum[1];
+          s[1] = sum[2] + sum[3];
+        }
+
+      private:
+        using Vector = typename Four<Number>::type;
+        Vector sum   = {};
+      };
+
+
+
+      template <typename Number>
+      class RowSum<3, Number>
+      {
+      public:
+        inline void
+        add(const Number *block, const Number *y)
+        {
+          // The fourth entry belongs to the next column, or to nothing.
+          sum_0 += *reinterpret_cast<const Vector *>(block) * y[0];
+          sum_1 += *reinterpret_cast<const Vector *>(block + 3) * y[1];
+          sum_2 += *reinterpret_cast<const Vector *>(block + 6) * y[2];
+        }
+
+        inline void
+        get(Number *s) const
+        {
+          const Vector sum = sum_0 + sum_1 + sum_2;
+          for (int c = 0; c < 3; ++c)
+            s[c] = sum[c];
+        }
+
+      private:
+        using Vector = typename Four<Number>::type;
+        Vector sum_0 = {}, sum_1 = {}, sum_2 = {};
+      };
+
+
+
+      template <int dim, typename Number>
+      inline void
+      add_row(RowSum<dim, Number>    &sum,
+              const Triangle<Number> &A,
+              const unsigned int      row,
+              const Number           *x)
+      {
+        for (unsigned int k = A.row_start[row]; k < A.row_start[row + 1]; ++k)
+          sum.add(A.values + static_cast<unsigned long>(k) * dim * dim,
+                  x + static_cast<unsigned long>(A.column[k]) * dim);
+      }
+
+
+
+      /** From the last entry to the first, as memory is read backward. */
+      template <int dim, typename Number>
+      inline void
+      add_row_backward(RowSum<dim, Number>    &sum,
+                       const Triangle<Number> &A,
+                       const unsigned int      row,
+                       const Number           *x)
+      {
+        for (unsigned int k = A.row_start[row + 1]; k > A.row_start[row]; --k)
+          sum.add(A.values + static_cast<unsigned long>(k - 1) * dim * dim,
+                  x + static_cast<unsigned long>(A.column[k - 1]) * dim);
+      }
+
+
+
+      /** x = D (b - sum). */
+      template <int dim, typename Number>
+      inline void
+      relax(const RowSum<dim, Number> &sum,
+            const Number              *inverse_diagonal,
+            const Number              *b,
+            Number                    *x)
+      {
+        Number s[dim];
+        sum.get(s);
+        for (int c = 0; c < dim; ++c)
+          s[c] = b[c] - s[c];
+        RowSum<dim, Number> result;
+        result.add(inverse_diagonal, s);
+        result.get(s);
+        for (int c = 0; c < dim; ++c)
+          x[c] = s[c];
+      }
+
+
+
+      /** Where the numbers of a node begin. */
+      inline unsigned long
+      at(const unsigned int node, const unsigned int size)
+      {
+        return static_cast<unsigned long>(node) * size;
+      }
+    } // namespace
+
+
+
+    template <int dim, typename Number>
+    void
+    sweep_from_zero(const Triangle<Number> &lower,
+                    const Number           *inverse_diagonal,
+                    const unsigned int      n,
+                    const Number           *b,
+                    Number                 *x)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          RowSum<dim, Number> sum;
+          add_row(sum, lower, i, x);
+          relax(sum,
+                inverse_diagonal + at(i, dim * dim),
+                b + at(i, dim),
+                x + at(i, dim));
+        }
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    residual_after_sweep(const Triangle<Number> &upper,
+                         const unsigned int      n,
+                         const Number           *x,
+                         Number                 *r)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          RowSum<dim, Number> sum;
+          add_row(sum, upper, i, x);
+          Number s[dim];
+          sum.get(s);
+          for (int c = 0; c < dim; ++c)
+            r[at(i, dim) + c] = -s[c];
+        }
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    sweep_forward(const Triangle<Number> &lower,
+                  const Triangle<Number> &upper,
+                  const Number           *inverse_diagonal,
+                  const unsigned int      n,
+                  const Number           *b,
+                  Number                 *x)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          // What depends on the row just done comes last.
+          RowSum<dim, Number> sum;
+          add_row(sum, upper, i, x);
+          add_row(sum, lower, i, x);
+          relax(sum,
+                inverse_diagonal + at(i, dim * dim),
+                b + at(i, dim),
+                x + at(i, dim));
+        }
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    sweep_backward(const Triangle<Number> &lower,
+                   const Triangle<Number> &upper,
+                   const Number           *inverse_diagonal,
+                   const unsigned int      n,
+                   const Number           *b,
+                   Number                 *x)
+    {
+      for (unsigned int i = n; i-- > 0;)
+        {
+          RowSum<dim, Number> sum;
+          add_row_backward(sum, lower, i, x);
+          add_row_backward(sum, upper, i, x);
+          relax(sum,
+                inverse_diagonal + at(i, dim * dim),
+                b + at(i, dim),
+                x + at(i, dim));
+        }
+    }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim, Number)                                  \
+  template void sweep_from_zero<dim, Number>(const Triangle<Number> &,      \
+                                             const Number *,                \
+                                             const unsigned int,            \
+                                             const Number *,                \
+                                             Number *);                     \
+  template void residual_after_sweep<dim, Number>(const Triangle<Number> &, \
+                                                  const unsigned int,       \
+                                                  const Number *,           \
+                                                  Number *);                \
+  template void sweep_forward<dim, Number>(const Triangle<Number> &,        \
+                                           const Triangle<Number> &,        \
+                                           const Number *,                  \
+                                           const unsigned int,              \
+                                           const Number *,                  \
+                                           Number *);                       \
+  template void sweep_backward<dim, Number>(const Triangle<Number> &,       \
+                                            const Triangle<Number> &,       \
+                                            const Number *,                 \
+                                            const unsigned int,             \
+                                            const Number *,                 \
+                                            Number *);
+
+    STICKSLIP_INSTANTIATE(2, float)
+    STICKSLIP_INSTANTIATE(2, double)
+    STICKSLIP_INSTANTIATE(3, float)
+    STICKSLIP_INSTANTIATE(3, double)
+#undef STICKSLIP_INSTANTIATE
+  } // namespace Kernels
+} // namespace StickSlip

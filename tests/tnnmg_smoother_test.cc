@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <gtest/gtest.h>
+#include <stickslip/tnnmg/block_gauss_seidel.h>
+
+#include <limits>
+#include <random>
+
+using namespace StickSlip;
+
+namespace
+{
+  /**
+   * A symmetric, diagonally dominant block matrix with random couplings, some
+   * masked components, and the same as a dense matrix.
+   */
+  template <int dim>
+  struct RandomSystem
+  {
+    static constexpr unsigned int n_nodes = 40;
+
+    std::mt19937                           generator{dim};
+    std::uniform_real_distribution<double> number{-1., 1.};
+    NodePartition                          nodes;
+    BlockMatrix<dim>                       matrix;
+    NodeMask                               active;
+    FullMatrix<double>                     dense;
+
+    RandomSystem()
+      : nodes(complete_index_set(n_nodes),
+              IndexSet(n_nodes),
+              dim,
+              MPI_COMM_SELF)
+      , active(n_nodes, dim)
+      , dense(n_nodes * dim)
+    {
+      std::vector<std::vector<unsigned int>> rows(n_nodes);
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          if (i - j <= 2 || number(generator) > 0.8)
+            {
+              rows[i].push_back(j);
+              rows[j].push_back(i);
+            }
+      const auto sparsity =
+        std::make_shared<const BlockSparsity>(std::move(rows));
+      matrix = BlockMatrix<dim>(sparsity);
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int k = sparsity->row_start[i];
+             k < sparsity->row_start[i + 1];
+             ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const unsigned int j   = sparsity->column[k];
+                const unsigned int row = i * dim + c, column = j * dim + d;
+                if (column < row)
+                  dense(row, column) = dense(column, row);
+                else
+                  dense(row, column) =
+                    number(generator) + (row == column ? 40. : 0.);
+                matrix.block(k)[c * dim + d] = dense(row, column);
+              }
+      for (unsigned int i = 0; i < n_nodes; i += 3)
+        active.mask(i, i % dim);
+      active.mask_node(1);
+    }
+
+    Vector<double>
+    random()
+    {
+      Vector<double> x(n_nodes * dim);
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (active.is_active(i, c))
+            x(i * dim + c) = number(generator);
+      return x;
+    }
+
+    /** One sweep by the definition: each node in turn is given the values that
+     * solve its own active equations. */
+    void
+    sweep(Vector<double> &x, const Vector<double> &b, const bool forward) const
+    {
+      for (unsigned int step = 0; step < n_nodes; ++step)
+        {
+          const unsigned int        i = forward ? step : n_nodes - 1 - step;
+          std::vector<unsigned int> components;
+          for (unsigned int c = 0; c < dim; ++c)
+            if (active.is_active(i, c))
+              components.push_back(i * dim + c);
+          const unsigned int n = components.size();
+          if (n == 0)
+            continue;
+          FullMatrix<double> block(n);
+          Vector<double>     rest(n), change(n);
+          for (unsigned int c = 0; c < n; ++c)
+            {
+              rest(c) = b(components[c]);
+              for (unsigned int j = 0; j < x.size(); ++j)
+                rest(c) -= dense(components[c], j) * x(j);
+              for (unsigned int d = 0; d < n; ++d)
+                block(c, d) = dense(components[c], components[d]);
+            }
+          block.gauss_jordan();
+          block.vmult(change, rest);
+          for (unsigned int c = 0; c < n; ++c)
+            x(components[c]) += change(c);
+        }
+    }
+  };
+
+
+
+  template <int dim, typename Number>
+  void
+  expect_sweeps_by_definition()
+  {
+    RandomSystem<dim> system;
+    const double      precision = 1e3 * std::numeric_limits<Number>::epsilon();
+
+    BlockGaussSeidel<dim, Number> smoother(system.matrix.sparsity());
+    for (unsigned int i = 0; i < system.n_nodes; ++i)
+      {
+        smoother.set_row(i, system.matrix);
+        smoother.set_diagonal(i,
+                              system.matrix.diagonal_block(i),
+                              system.active);
+      }
+
+    const Vector<double> b = system.random();
+    Vector<double>       x(b.size()), r(b.size());
+    auto                 ours_b   = system.nodes.template make_vector<Number>();
+    auto                 ours_x   = ours_b;
+    auto                 residual = ours_b, change = ours_b;
+    std::copy(b.begin(), b.end(), ours_b.begin());
+    const auto expect_equal = [&](const auto &ours, const Vector<double> &y) {
+      for (unsigned int i = 0; i < y.size(); ++i)
+        EXPECT_NEAR(ours.local_element(i), y(i), precision);
+    };
+    // The residual counts where components take part.
+    const auto expect_residual = [&]() {
+      system.dense.residual(r, x, b);
+      for (unsigned int i = 0; i < system.n_nodes; ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (system.active.is_active(i, c))
+            EXPECT_NEAR(residual.local_element(i * dim + c),
+                        r(i * dim + c),
+                        precision);
+    };
+
+    system.sweep(x, b, true);
+    // What it held before must not matter.
+    ours_x = Number(7.);
+    smoother.sweep_from_zero(ours_x, ours_b);
+    expect_equal(ours_x, x);
+    smoother.residual_after_first_sweep(residual, ours_x);
+    expect_residual();
+
+    system.sweep(x, b, true);
+    smoother.sweep_forward(ours_x, change, ours_b);
+    expect_equal(ours_x, x);
+    smoother.residual_after_sweep(residual, change);
+    expect_residual();
+
+    x = system.random();
+    std::copy(x.begin(), x.end(), ours_x.begin());
+    system.sweep(x, b, false);
+    smoother.sweep_backward(ours_x, ours_b);
+    expect_equal(ours_x, x);
+  }
+} // namespace
+
+
+
+TEST(BlockGaussSeidel, SweepsAreThoseOfTheDefinition)
+{
+  expect_sweeps_by_definition<2, double>();
+  expect_sweeps_by_definition<3, double>();
+}
+
+
+
+TEST(BlockGaussSeidel, SinglePrecision)
+{
+  expect_sweeps_by_definition<2, float>();
+  expect_sweeps_by_definition<3, float>();
+}
