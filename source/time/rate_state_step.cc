@@ -111,7 +111,7 @@ namespace StickSlip
           {
             rate = improve(rhs, w);
           }
-        catch (const SingularCoarseMatrix &error)
+        catch (const SingularMatrix &error)
           {
             result.failure = error.what();
             break;

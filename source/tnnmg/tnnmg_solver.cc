@@ -68,20 +68,14 @@ namespace StickSlip
                                 const TNNMGParameters &parameters)
     : hierarchy(hierarchy)
     , parameters(parameters)
+    , linear_correction(make_linear_correction(hierarchy, parameters))
     , residual(hierarchy.finest().nodes.make_vector())
     , previous(residual)
     , smoothed_residual(residual)
     , correction(residual)
     , A_correction(residual)
-    , cg_residual(residual)
-    , cg_direction(residual)
-    , cg_preconditioned(residual)
-  {
-    hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
-    hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);
-    hierarchy.set_coarse_solver(parameters.coarse_solver);
-    hierarchy.set_cycle_precision(parameters.cycle_precision);
-  }
+    , scratch(residual)
+  {}
 
 
 
@@ -127,18 +121,19 @@ namespace StickSlip
 
     smooth(functional, b, w, summary);
     summary.n_truncated = linearise(functional, w);
-    cg_residual         = smoothed_residual;
+
+    NodalVector &rhs = scratch;
+    rhs              = smoothed_residual;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, dim> gradient =
           functional.gradient(k, block<dim>(w, nodes[k]));
         for (unsigned int c = 0; c < dim; ++c)
-          cg_residual.local_element(nodes[k] * dim + c) -= gradient[c];
+          rhs.local_element(nodes[k] * dim + c) -= gradient[c];
       }
-    active.apply(cg_residual);
-    summary.cycles = linear_correction(correction, cg_residual);
+    active.apply(rhs);
+    summary.cycles = linear_correction->solve(correction, A_correction, rhs);
 
-    hierarchy.matrix().vmult(A_correction, correction);
     const double linear = correction * smoothed_residual;
     const double square = correction * A_correction;
     const auto   slope  = [&](const double t) {
@@ -152,7 +147,7 @@ namespace StickSlip
     // Not only for speed: zero times NaN would spoil the iterate.
     if (t > 0.)
       {
-        NodalVector &smoothed = cg_direction;
+        NodalVector &smoothed = scratch;
         smoothed              = w;
         w.add(t, correction);
         summary.correction_decrease =
@@ -168,9 +163,10 @@ namespace StickSlip
     summary.correction_norm = std::sqrt(std::abs(change * residual));
     residual                = smoothed_residual;
 
-    cg_residual = b;
-    cg_residual -= residual;
-    summary.iterate_norm = std::sqrt(std::abs(w * cg_residual));
+    NodalVector &A_w = scratch;
+    A_w              = b;
+    A_w -= residual;
+    summary.iterate_norm = std::sqrt(std::abs(w * A_w));
     return summary;
   }
 
@@ -262,39 +258,8 @@ namespace StickSlip
                 }
           }
       }
-    hierarchy.linearise(hessians, active);
+    linear_correction->linearise(hessians, active);
     return Utilities::MPI::sum(n_truncated, w.get_mpi_communicator());
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  TNNMGSolver<dim>::linear_correction(NodalVector &x, NodalVector &r)
-  {
-    x                   = 0.;
-    double       rz_old = 0.;
-    unsigned int cycles = 0;
-    while (cycles < parameters.cycles_per_correction)
-      {
-        hierarchy.v_cycle(cg_preconditioned, r);
-        ++cycles;
-        const double rz = r * cg_preconditioned;
-        if (!(rz > 0.))
-          break;
-        if (cycles == 1)
-          cg_direction = cg_preconditioned;
-        else
-          cg_direction.sadd(rz / rz_old, 1., cg_preconditioned);
-        hierarchy.vmult_linearised(A_correction, cg_direction);
-        const double curvature = cg_direction * A_correction;
-        if (!(curvature > 0.))
-          break;
-        x.add(rz / curvature, cg_direction);
-        r.add(-rz / curvature, A_correction);
-        rz_old = rz;
-      }
-    return cycles;
   }
 
 

@@ -63,7 +63,7 @@ namespace StickSlip
   private:
     /** Solve the rate problem at the present state, or, where rate and state
      * are interleaved, improve its solution by one iteration. Throws
-     * SingularCoarseMatrix. */
+     * SingularMatrix. */
     SolveSummary
     improve(const NodalVector &rhs, NodalVector &w);
 

@@ -13,6 +13,15 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * How the linearised problem of an iteration is solved.
+   */
+  enum class LinearCorrectionType
+  {
+    /** By some steps of CG, each with one V-cycle. */
+    multigrid
+  };
+
+  /**
    * Settings of the truncated nonsmooth Newton multigrid iteration.
    */
   struct TNNMGParameters
@@ -31,6 +40,9 @@ namespace StickSlip
      * term exceeds this times the diagonal of the matrix.
      */
     double truncation_factor = 10.;
+
+    /** How the linearised problem is solved. */
+    LinearCorrectionType linear_correction = LinearCorrectionType::multigrid;
 
     /** Steps of CG, each with one V-cycle, in a linear correction. */
     unsigned int cycles_per_correction = 3;

@@ -5,9 +5,8 @@
 #define stickslip_tnnmg_tnnmg_solver_h
 
 #include <stickslip/tnnmg/iteration_summary.h>
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/tnnmg/linear_correction.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
-#include <stickslip/tnnmg/solver_parameters.h>
 
 namespace StickSlip
 {
@@ -23,8 +22,7 @@ namespace StickSlip
    *
    *   1. a sweep of nonlinear Gauss-Seidel,
    *   2. truncation of the components at which phi is not smooth enough,
-   *   3. a correction for the linearisation on the rest, some steps of CG
-   *      preconditioned by a symmetric V-cycle,
+   *   3. a correction for the linearisation on the rest, see LinearCorrection,
    *   4. a line search.
    *
    * J decreases in every iteration, which makes the method converge from any
@@ -79,20 +77,15 @@ namespace StickSlip
     unsigned int
     linearise(const NonsmoothFunctional<dim> &functional, const NodalVector &w);
 
-    /** Approximate solution of the linearised problem; returns the number of
-     * cycles. */
-    unsigned int
-    linear_correction(NodalVector &correction, NodalVector &residual);
-
-    LevelHierarchy<dim>   &hierarchy;
-    const TNNMGParameters &parameters;
+    LevelHierarchy<dim>                   &hierarchy;
+    const TNNMGParameters                 &parameters;
+    std::unique_ptr<LinearCorrection<dim>> linear_correction;
 
     /** b - A w of the current iterate. */
     NodalVector residual;
 
     NodeMask    active;
-    NodalVector previous, smoothed_residual, correction, A_correction,
-      cg_residual, cg_direction, cg_preconditioned;
+    NodalVector previous, smoothed_residual, correction, A_correction, scratch;
     std::vector<Tensor<2, dim>> hessians;
   };
 } // namespace StickSlip
