@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <gtest/gtest.h>
 #include <stickslip/tnnmg/block_gauss_seidel.h>

@@ -75,15 +75,6 @@ namespace StickSlip
 
 
   template <int dim, typename Number>
-  const BlockSparsity &
-  BlockMatrix<dim, Number>::sparsity() const
-  {
-    return *pattern;
-  }
-
-
-
-  template <int dim, typename Number>
   const std::shared_ptr<const BlockSparsity> &
   BlockMatrix<dim, Number>::shared_sparsity() const
   {
@@ -97,38 +88,6 @@ namespace StickSlip
   BlockMatrix<dim, Number>::n_rows() const
   {
     return pattern->n_rows();
-  }
-
-
-
-  template <int dim, typename Number>
-  Number *
-  BlockMatrix<dim, Number>::block(const unsigned int position)
-  {
-    return entries.data() + std::size_t(position) * block_size;
-  }
-
-
-
-  template <int dim, typename Number>
-  const Number *
-  BlockMatrix<dim, Number>::block(const unsigned int position) const
-  {
-    return entries.data() + std::size_t(position) * block_size;
-  }
-
-
-
-  template <int dim, typename Number>
-  Tensor<2, dim>
-  BlockMatrix<dim, Number>::diagonal_block(const unsigned int row) const
-  {
-    const Number  *values = block(pattern->diagonal[row]);
-    Tensor<2, dim> result;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        result[c][d] = values[c * dim + d];
-    return result;
   }
 
 

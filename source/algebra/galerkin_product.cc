@@ -279,7 +279,6 @@ namespace StickSlip
 
     // The row P_I^T A over fine columns ...
     row_columns.clear();
-    row_values.clear();
     for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
       {
         const unsigned int i = Pt.column[k];
@@ -288,18 +287,24 @@ namespace StickSlip
           weight[c] = fine_mask.is_active(i, c) ? Pt.value[k] : 0.;
         for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
           {
-            const unsigned int j = A.column[m];
-            if (row_position[j] < 0)
+            const FineNumber  *block = fine.block(m);
+            const unsigned int j     = A.column[m];
+            const bool         first = (row_position[j] < 0);
+            if (first)
               {
                 row_position[j] = row_columns.size();
                 row_columns.push_back(j);
-                row_values.resize(row_values.size() + n, 0.);
+                if (row_values.size() < row_columns.size() * n)
+                  row_values.resize(2 * row_columns.size() * n);
               }
-            double           *sum   = &row_values[row_position[j] * n];
-            const FineNumber *block = fine.block(m);
+            double *sum = &row_values[row_position[j] * n];
             for (unsigned int c = 0; c < dim; ++c)
               for (unsigned int d = 0; d < dim; ++d)
-                sum[c * dim + d] += weight[c] * block[c * dim + d];
+                {
+                  const double product = weight[c] * block[c * dim + d];
+                  sum[c * dim + d] =
+                    first ? product : sum[c * dim + d] + product;
+                }
           }
       }
 

@@ -34,23 +34,6 @@ namespace StickSlip
 
 
 
-  bool
-  NodeMask::is_active(const unsigned int node,
-                      const unsigned int component) const
-  {
-    return (active[node] >> component) & 1u;
-  }
-
-
-
-  bool
-  NodeMask::is_fully_active(const unsigned int node) const
-  {
-    return active[node] == full;
-  }
-
-
-
   unsigned int
   NodeMask::n_nodes() const
   {

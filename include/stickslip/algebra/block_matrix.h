@@ -63,7 +63,10 @@ namespace StickSlip
     explicit BlockMatrix(const std::shared_ptr<const BlockSparsity> &sparsity);
 
     const BlockSparsity &
-    sparsity() const;
+    sparsity() const
+    {
+      return *pattern;
+    }
 
     const std::shared_ptr<const BlockSparsity> &
     shared_sparsity() const;
@@ -73,13 +76,27 @@ namespace StickSlip
 
     /** The dim x dim numbers of the entry at a position, row by row. */
     Number *
-    block(const unsigned int position);
+    block(const unsigned int position)
+    {
+      return entries.data() + std::size_t(position) * block_size;
+    }
 
     const Number *
-    block(const unsigned int position) const;
+    block(const unsigned int position) const
+    {
+      return entries.data() + std::size_t(position) * block_size;
+    }
 
     Tensor<2, dim>
-    diagonal_block(const unsigned int row) const;
+    diagonal_block(const unsigned int row) const
+    {
+      const Number  *values = block(pattern->diagonal[row]);
+      Tensor<2, dim> result;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          result[c][d] = values[c * dim + d];
+      return result;
+    }
 
     void
     set_diagonal_block(const unsigned int row, const Tensor<2, dim> &value);

@@ -34,11 +34,17 @@ namespace StickSlip
     mask_node(const unsigned int node);
 
     bool
-    is_active(const unsigned int node, const unsigned int component) const;
+    is_active(const unsigned int node, const unsigned int component) const
+    {
+      return (active[node] >> component) & 1u;
+    }
 
     /** Whether all components of the node take part. */
     bool
-    is_fully_active(const unsigned int node) const;
+    is_fully_active(const unsigned int node) const
+    {
+      return active[node] == full;
+    }
 
     unsigned int
     n_nodes() const;
