@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/parameters/agreed_failure.h>
 #include <stickslip/time/rigid_body_modes.h>
 #include <stickslip/tnnmg/condensed_solver.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
@@ -291,5 +292,69 @@ TEST(Corrections, OperatorsAreNumbered)
   EXPECT_NE(hierarchy.operator_version(), first);
   hierarchy.combine({1., 0., 1.});
   EXPECT_EQ(hierarchy.operator_version(), first);
-  slider.problem.build_contact(slider.problem.make_nodal_vector());
+
+  std::vector<BlockMatrix<2>> terms;
+  for (unsigned int k = 0; k < 3; ++k)
+    terms.push_back(hierarchy.term(k));
+  hierarchy.set_terms(terms);
+  hierarchy.combine({1., 0., 1.});
+  EXPECT_NE(hierarchy.operator_version(), first);
+}
+
+
+
+TEST(Corrections, TooLargeADenseMatrixIsRefused)
+{
+  std::vector<LevelDescription<2>> levels(1);
+  const unsigned int               n = CondensedSolver<2>::max_entries / 2 + 1;
+  levels[0].nodes                    = serial_nodes(n, 2);
+  levels[0].fixed                    = NodeMask(n, 2);
+  for (unsigned int i = 0; i < n; ++i)
+    levels[0].nonsmooth_nodes.push_back(i);
+  const LevelHierarchy<2> hierarchy(std::move(levels));
+  const TNNMGParameters   parameters;
+  try
+    {
+      CondensedSolver<2> solver(hierarchy, parameters);
+      ADD_FAILURE() << "nothing was thrown";
+    }
+  catch (const AgreedFailure &error)
+    {
+      EXPECT_STREQ(error.what(),
+                   "The rate solver 'condensed Newton' is for at most 20000 "
+                   "unknowns on the faults, since its matrix is dense, but "
+                   "there are 20002; use 'Time/Rate solver' = 'TNNMG'.");
+    }
+}
+
+
+
+TEST(Corrections, SingularMatricesAreNotSolved)
+{
+  // A matrix of zeros.
+  FrictionChain<2>  chain;
+  const Friction<2> friction =
+    chain.friction(Kind::truncated, std::vector<double>(9, 0.));
+  chain.hierarchy.combine({0.});
+  for (const LinearCorrectionType type :
+       {LinearCorrectionType::umfpack, LinearCorrectionType::mumps})
+    {
+      TNNMGParameters parameters   = tight();
+      parameters.linear_correction = type;
+      const auto correction =
+        make_linear_correction(chain.hierarchy, parameters);
+      const std::vector<Tensor<2, 2>> hessians(9);
+      const NodeMask                 &active = chain.hierarchy.finest().fixed;
+      EXPECT_THROW(correction->linearise(hessians, active), SingularMatrix);
+      // It is of use again after that.
+      chain.hierarchy.combine({1.});
+      correction->linearise(hessians, active);
+      chain.hierarchy.combine({0.});
+    }
+  const TNNMGParameters parameters;
+  CondensedSolver<2>    condensed(chain.hierarchy, parameters);
+  EXPECT_THROW(condensed.start(chain.b, chain.start), SingularMatrix);
+  chain.hierarchy.combine({1.});
+  NodalVector w = chain.start;
+  EXPECT_TRUE(condensed.solve(*friction.functional, chain.b, w).converged);
 }

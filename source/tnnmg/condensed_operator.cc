@@ -91,8 +91,19 @@ namespace StickSlip
   CondensedOperator<dim>::set_matrix(const BlockMatrix<dim> &A,
                                      const NodeMask         &fixed)
   {
+    /** Up to this number of unknowns UMFPACK solves faster than MUMPS. */
+    constexpr unsigned int small_size = 20000;
+
     factors.reset();
     bulk.set_matrix(A, fixed);
+    if (A.n_rows() * dim > small_size)
+      return;
+    NodeMask eliminated = fixed;
+    for (const unsigned int position : entries.positions)
+      eliminated.mask(position / dim, position % dim);
+    if (!small_bulk)
+      small_bulk = std::make_unique<UmfpackFactorisation<dim>>();
+    small_bulk->set_matrix(A, eliminated);
   }
 
 
@@ -128,7 +139,10 @@ namespace StickSlip
   void
   CondensedOperator<dim>::solve_eliminated(NodalVector &x, const NodalVector &b)
   {
-    bulk.solve(x, b);
+    if (small_bulk)
+      small_bulk->solve(x, b);
+    else
+      bulk.solve(x, b);
   }
 
 

@@ -5,6 +5,7 @@
 #define stickslip_tnnmg_condensed_operator_h
 
 #include <stickslip/tnnmg/mumps_factorisation.h>
+#include <stickslip/tnnmg/umfpack_factorisation.h>
 
 namespace dealii
 {
@@ -67,8 +68,8 @@ namespace StickSlip
     void
     vmult(std::vector<double> &y, const std::vector<double> &x) const;
 
-    /** x_I = A_II^-1 b_I and zero elsewhere; @p b is zero in fixed
-     * components. */
+    /** x_I = A_II^-1 b_I, where @p b is zero in the components that are fixed
+     * or belong to F, and so is x. */
     void
     solve_eliminated(NodalVector &x, const NodalVector &b);
 
@@ -103,9 +104,12 @@ namespace StickSlip
                   const std::vector<double> &b,
                   const std::vector<bool>   &active) const;
 
-    const CondensedEntries<dim>              &entries;
-    MumpsFactorisation<dim>                   bulk;
-    std::unique_ptr<LAPACKFullMatrix<double>> factors;
+    const CondensedEntries<dim> &entries;
+    MumpsFactorisation<dim>      bulk;
+    /** Of A_II once more where that is small: solutions with MUMPS take several
+     * times as long then. */
+    std::unique_ptr<UmfpackFactorisation<dim>> small_bulk;
+    std::unique_ptr<LAPACKFullMatrix<double>>  factors;
   };
 } // namespace StickSlip
 
