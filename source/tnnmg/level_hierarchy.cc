@@ -32,6 +32,7 @@ namespace StickSlip
     A     = BlockMatrix<dim>(terms.front().shared_sparsity());
     inverse_diagonals.resize(std::size_t(A.n_rows()) * dim * dim);
     current_coefficients.clear();
+    versions.clear();
     cycle.reset();
     is_linearised = false;
   }
@@ -46,6 +47,8 @@ namespace StickSlip
       return;
     current_coefficients = coefficients;
     is_linearised        = false;
+    if (versions.emplace(coefficients, last_version + 1).second)
+      ++last_version;
     // So few rows at a time that the cycle copies them from the cache.
     constexpr unsigned int n_rows = 512;
     for (unsigned int begin = 0; begin < A.n_rows(); begin += n_rows)
@@ -212,6 +215,16 @@ namespace StickSlip
   LevelHierarchy<dim>::matrix() const
   {
     return A;
+  }
+
+
+
+  template <int dim>
+  unsigned long
+  LevelHierarchy<dim>::operator_version() const
+  {
+    const auto version = versions.find(current_coefficients);
+    return version == versions.end() ? 0 : version->second;
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <stickslip/tnnmg/v_cycle.h>
 
+#include <map>
 #include <vector>
 
 namespace StickSlip
@@ -68,6 +69,11 @@ namespace StickSlip
     /** The operator A on the finest level. */
     const BlockMatrix<dim> &
     matrix() const;
+
+    /** A number for the operator A: another one for other terms or
+     * coefficients, the same again where the coefficients return. */
+    unsigned long
+    operator_version() const;
 
     /** One of the terms on the finest level. */
     const BlockMatrix<dim> &
@@ -159,6 +165,9 @@ namespace StickSlip
     CyclePrecision               precision = CyclePrecision::single_precision;
     std::unique_ptr<VCycle<dim>> cycle;
     std::vector<double>          current_coefficients;
+    /** By the coefficients, for the present terms. */
+    std::map<std::vector<double>, unsigned long> versions;
+    unsigned long                                last_version = 0;
     std::vector<Tensor<2, dim>>  current_hessians, coarse_hessians;
     double                       coarse_update_threshold = 0;
     bool                         is_linearised           = false;

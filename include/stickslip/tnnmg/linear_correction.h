@@ -46,13 +46,19 @@ namespace StickSlip
   };
 
   /**
-   * As the parameters ask for it. Both arguments must live longer than the
-   * result.
+   * As the parameters ask for it; they and the hierarchy must live longer than
+   * the result. @p near_null_space: see TNNMGSolver. Throws where this
+   * correction does not run on as many processes.
    */
   template <int dim>
   std::unique_ptr<LinearCorrection<dim>>
-  make_linear_correction(LevelHierarchy<dim>   &hierarchy,
-                         const TNNMGParameters &parameters);
+  make_linear_correction(LevelHierarchy<dim>            &hierarchy,
+                         const TNNMGParameters          &parameters,
+                         const std::vector<NodalVector> &near_null_space = {});
+
+  /** Whether a correction runs on one process only. */
+  bool
+  is_serial(const LinearCorrectionType type);
 } // namespace StickSlip
 
 #endif

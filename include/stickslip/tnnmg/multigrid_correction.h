@@ -5,6 +5,7 @@
 #define stickslip_tnnmg_multigrid_correction_h
 
 #include <stickslip/tnnmg/linear_correction.h>
+#include <stickslip/tnnmg/linearised_cg.h>
 
 namespace StickSlip
 {
@@ -27,17 +28,9 @@ namespace StickSlip
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
 
   private:
-    /** y += factor H x. */
-    void
-    add_hessians(NodalVector       &y,
-                 const double       factor,
-                 const NodalVector &x) const;
-
-    LevelHierarchy<dim>        &hierarchy;
-    const TNNMGParameters      &parameters;
-    NodeMask                    active;
-    std::vector<Tensor<2, dim>> hessians;
-    NodalVector                 direction, A_direction, preconditioned;
+    LevelHierarchy<dim>   &hierarchy;
+    const TNNMGParameters &parameters;
+    LinearisedCG<dim>      cg;
   };
 } // namespace StickSlip
 
