@@ -78,13 +78,16 @@ namespace StickSlip
 
   template <int dim>
   SolveSummary
-  RateStateStep<dim>::improve(const NodalVector &rhs, NodalVector &w)
+  RateStateStep<dim>::improve(const NodalVector      &rhs,
+                              NodalVector            &w,
+                              const IterationSummary *before)
   {
     if (time_parameters.rate_state_method == RateStateMethod::nested)
       return solver->solve(faults.friction(), rhs, w);
     SolveSummary summary;
     summary.iterations.push_back(solver->iterate(faults.friction(), rhs, w));
-    summary.converged = solver->has_converged(summary.iterations.back());
+    summary.converged =
+      solver->has_converged(summary.iterations.back(), before);
     return summary;
   }
 
@@ -123,13 +126,17 @@ namespace StickSlip
       }
     const bool nested =
       (time_parameters.rate_state_method == RateStateMethod::nested);
+    SolveSummary rate;
     while (!result.converged && result.failure.empty())
       {
         faults.set_state(to.alpha);
-        SolveSummary rate;
         try
           {
-            rate = improve(rhs, w);
+            IterationSummary before;
+            const bool       is_first = rate.iterations.empty();
+            if (!is_first)
+              before = rate.iterations.back();
+            rate = improve(rhs, w, is_first ? nullptr : &before);
           }
         catch (const SingularMatrix &error)
           {

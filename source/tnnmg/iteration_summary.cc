@@ -16,6 +16,21 @@ namespace StickSlip
 
 
 
+  double
+  IterationSummary::relative_error(const IterationSummary *before) const
+  {
+    constexpr double fast = 0.1;
+    // Written so that a NaN and zero over zero make no difference.
+    if (before && correction_norm < fast * before->correction_norm)
+      {
+        const double q = correction_norm / before->correction_norm;
+        return q / (1. - q) * relative_correction();
+      }
+    return relative_correction();
+  }
+
+
+
   unsigned int
   SolveSummary::n_cycles() const
   {

@@ -28,7 +28,9 @@ namespace StickSlip
         summary.iterations.push_back(iterate(functional, b, w));
         if (!std::isfinite(summary.iterations.back().correction_norm))
           break;
-        summary.converged = has_converged(summary.iterations.back());
+        const auto last   = summary.iterations.rbegin();
+        summary.converged = has_converged(
+          *last, summary.iterations.size() > 1 ? &*std::next(last) : nullptr);
       }
     finish(b, w);
     return summary;
@@ -38,9 +40,10 @@ namespace StickSlip
 
   template <int dim>
   bool
-  NonsmoothSolver<dim>::has_converged(const IterationSummary &summary) const
+  NonsmoothSolver<dim>::has_converged(const IterationSummary &last,
+                                      const IterationSummary *before) const
   {
-    return summary.relative_correction() <= parameters.tolerance;
+    return last.relative_error(before) <= parameters.tolerance;
   }
 
 

@@ -13,8 +13,9 @@ namespace StickSlip
                "Tolerance",
                tolerance,
                NumberRange().above(0).below(1),
-               "The iteration ends when its correction is below this times the "
-               "iterate, both in the energy norm, without unit.");
+               "The iteration ends when the error, estimated from the last two "
+               "corrections, is below this times the iterate, both in the "
+               "energy norm, without unit.");
     add_count(prm,
               "Largest number of iterations",
               max_iterations,

@@ -62,10 +62,12 @@ namespace StickSlip
 
   private:
     /** Solve the rate problem at the present state, or, where rate and state
-     * are interleaved, improve its solution by one iteration. Throws
-     * SingularMatrix. */
+     * are interleaved, improve its solution by one iteration more than the one
+     * @p before, if any. Throws SingularMatrix. */
     SolveSummary
-    improve(const NodalVector &rhs, NodalVector &w);
+    improve(const NodalVector      &rhs,
+            NodalVector            &w,
+            const IterationSummary *before);
 
     /** The state at the end of the step if the slip rates are those of w. */
     std::vector<double>

@@ -40,6 +40,16 @@ namespace StickSlip
     /** Size of the change relative to the iterate, in the energy norm. */
     double
     relative_correction() const;
+
+    /**
+     * Estimate of the error that is left, relative to the iterate, in the
+     * energy norm: what a sequence of corrections that go on to shrink by the
+     * factor q of the last two adds up to, q / (1 - q) times the last one,
+     * where q < 0.1; the size of the last correction where q is not that
+     * small, or where there is no iteration @p before this.
+     */
+    double
+    relative_error(const IterationSummary *before) const;
   };
 
   /**

@@ -168,11 +168,11 @@ namespace StickSlip
     /** By the coefficients, for the present terms. */
     std::map<std::vector<double>, unsigned long> versions;
     unsigned long                                last_version = 0;
-    std::vector<Tensor<2, dim>>  current_hessians, coarse_hessians;
-    double                       coarse_update_threshold = 0;
-    bool                         is_linearised           = false;
-    unsigned int                 sweeps                  = 1;
-    unsigned long                cycle_count             = 0;
+    std::vector<Tensor<2, dim>> current_hessians, coarse_hessians;
+    double                      coarse_update_threshold = 0;
+    bool                        is_linearised           = false;
+    unsigned int                sweeps                  = 1;
+    unsigned long               cycle_count             = 0;
   };
 } // namespace StickSlip
 

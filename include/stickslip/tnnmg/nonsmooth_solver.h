@@ -33,7 +33,7 @@ namespace StickSlip
     virtual ~NonsmoothSolver() = default;
 
     /**
-     * Iterate from @p w until the correction is below the tolerance. The
+     * Iterate from @p w until the error is below the tolerance. The
      * fixed components of w keep their values. The caller has to look at
      * SolveSummary::converged. Throws SingularMatrix.
      */
@@ -59,9 +59,12 @@ namespace StickSlip
     virtual void
     finish(const NodalVector &b, NodalVector &w) = 0;
 
-    /** Whether an iteration's correction is below the tolerance. */
+    /** Whether the error after the @p last iteration is below the tolerance,
+     * by IterationSummary::relative_error() and what is known of the iteration
+     * @p before it, if anything. */
     bool
-    has_converged(const IterationSummary &summary) const;
+    has_converged(const IterationSummary &last,
+                  const IterationSummary *before = nullptr) const;
 
   protected:
     const TNNMGParameters &parameters;
