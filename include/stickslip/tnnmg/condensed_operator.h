@@ -106,8 +106,7 @@ namespace StickSlip
 
     const CondensedEntries<dim> &entries;
     MumpsFactorisation<dim>      bulk;
-    /** Of A_II once more where that is small: solutions with MUMPS take several
-     * times as long then. */
+    /** Of A_II once more where that is small: UMFPACK solves faster then. */
     std::unique_ptr<UmfpackFactorisation<dim>> small_bulk;
     std::unique_ptr<LAPACKFullMatrix<double>>  factors;
   };

@@ -56,7 +56,7 @@ namespace StickSlip
 
     /** Residual relative to the initial one, in the norm of the preconditioner,
      * at which CG with algebraic multigrid ends. */
-    double amg_tolerance = 1e-3;
+    double amg_tolerance = 1e-2;
 
     /** Gauss-Seidel sweeps before and after each coarse grid correction. */
     unsigned int smoothing_sweeps = 1;
