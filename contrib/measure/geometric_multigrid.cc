@@ -85,13 +85,13 @@ namespace Measure
     coarse.factorisation.initialize(matrices[0]);
     transfer.initialize_constraints(mg_constrained_dofs);
     transfer.build(problem.dof_handler);
-    smoother.initialize(matrices);
-    smoother.set_steps(1);
-    smoother.set_symmetric(true);
+    pre_smoother.initialize(matrices);
+    post_smoother.initialize(matrices);
+    post_smoother.set_transpose(true);
     mg_matrix.initialize(matrices);
     mg_interface.initialize(interface_matrices);
     multigrid = std::make_unique<Multigrid<Vector<double>>>(
-      mg_matrix, coarse, transfer, smoother, smoother);
+      mg_matrix, coarse, transfer, pre_smoother, post_smoother);
     multigrid->set_edge_matrices(mg_interface, mg_interface);
     preconditioner =
       std::make_unique<PreconditionMG<dim, Vector<double>, Transfer>>(

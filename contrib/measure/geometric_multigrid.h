@@ -64,13 +64,15 @@ namespace Measure
                              Vector<double>>;
     using Transfer = MGTransferPrebuilt<Vector<double>>;
 
-    WeldedProblem<dim>                        &problem;
-    MGConstrainedDoFs                          mg_constrained_dofs;
-    MGLevelObject<SparsityPattern>             sparsities, interface_sparsities;
-    MGLevelObject<SparseMatrix<double>>        matrices, interface_matrices;
-    mg::Matrix<Vector<double>>                 mg_matrix, mg_interface;
-    CoarseSolver                               coarse;
-    Smoother                                   smoother;
+    WeldedProblem<dim>                 &problem;
+    MGConstrainedDoFs                   mg_constrained_dofs;
+    MGLevelObject<SparsityPattern>      sparsities, interface_sparsities;
+    MGLevelObject<SparseMatrix<double>> matrices, interface_matrices;
+    mg::Matrix<Vector<double>>          mg_matrix, mg_interface;
+    CoarseSolver                        coarse;
+    /** Forwards and backwards; set_symmetric() would need an even number of
+     * steps for that. */
+    Smoother                                   pre_smoother, post_smoother;
     Transfer                                   transfer;
     std::unique_ptr<Multigrid<Vector<double>>> multigrid;
     std::unique_ptr<PreconditionMG<dim, Vector<double>, Transfer>>
