@@ -2,186 +2,218 @@
 // Copyright (C) 2026 by the stickslip authors
 
 /*
- * rate_problem FILE.prm [--set ENTRY=VALUE]...
+ * rate_problem FILE.prm [--set ENTRY=VALUE]... [--repetitions N]
+ *              [--without-smoother] [--gauss-seidel] [--costs]
  *
  * Measures one rate problem of a scene: that of its first time step, of size
  * Time/Initial step, at the initial state of the faults, from the static
  * equilibrium. Prints one line of comma-separated values under a header. Times
  * are those of the slowest process, in s; those of set-up of the operator and
  * of the solution are the shortest of several repetitions.
+ *
+ * The error is that in the energy norm against TNNMG's solution with tolerance
+ * 1e-13, relative to that. Bytes are what is allocated for matrices and solver,
+ * without the meshes. --without-smoother leaves out the nonlinear smoother,
+ * --gauss-seidel everything else; then it is no failure if the iteration does
+ * not converge. --costs measures what changes of the operator take.
  */
-
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 
 #include <stickslip/simulation/command_line.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/scene_reader.h>
 #include <stickslip/time/newmark.h>
-#include <stickslip/tnnmg/tnnmg_solver.h>
 
-#include <algorithm>
-#include <functional>
-#include <iostream>
-#include <limits>
-#include <memory>
-#include <sstream>
+#include "coupled_problem.h"
+#include "linearisation_cost.h"
+#include "rate_solver.h"
 
 namespace
 {
-  using namespace StickSlip;
+  using namespace Measure;
 
-  constexpr unsigned int repetitions = 3;
-
-
-
-  double
-  seconds(const std::function<void()> &action)
+  struct Task
   {
-    MPI_Barrier(MPI_COMM_WORLD);
-    Timer timer;
-    action();
-    timer.stop();
-    return Utilities::MPI::max(timer.wall_time(), MPI_COMM_WORLD);
-  }
+    unsigned int repetitions      = 3;
+    bool         without_smoother = false;
+    bool         gauss_seidel     = false;
+    bool         costs            = false;
+  };
 
 
 
-  /** Largest resident size so far of any process, MiB. */
-  double
-  resident_size()
+  template <int dim>
+  class RateProblem
   {
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    return Utilities::MPI::max(memory.VmHWM / 1024., MPI_COMM_WORLD);
-  }
-
-
-
-  /** Names and values of a table with one row. */
-  struct Row
-  {
-    std::ostringstream names, values;
-
-    template <typename T>
-    void
-    add(const std::string &name, const T &value)
+  public:
+    RateProblem(const SceneParameters<dim> &scene, const Task &task)
+      : scene(scene)
+      , task(task)
+      , coupled(scene)
+      , problem(*coupled.problem)
+      , tau(scene.time.initial_step)
     {
-      names << (names.tellp() > 0 ? "," : "") << name;
-      values << (values.tellp() > 0 ? "," : "") << value;
+      contact_time =
+        seconds([&]() { problem.build_contact(problem.make_nodal_vector()); });
+      InitialEquilibrium<dim> equilibrium;
+      equilibrium_time =
+        seconds([&]() { equilibrium = solve_initial_equilibrium(problem); });
+      equilibrium_iterations    = equilibrium.iterations;
+      unsigned int n_in_tension = 0;
+      faults                    = FaultNodes<dim>(problem.jump_basis(),
+                               problem.hierarchy().finest().nodes,
+                               make_fault_laws(scene),
+                               make_normal_stress(scene,
+                                                  problem.jump_basis(),
+                                                  equilibrium,
+                                                  n_in_tension));
+      const SystemState<dim> state =
+        make_initial_state(scene, problem.jump_basis(), equilibrium);
+      faults.set_state(state.alpha);
+      rhs = Newmark::right_hand_side(problem, state, tau);
+      w   = problem.make_vector();
     }
+
+    /** Solve from zero some times. */
+    void
+    solve()
+    {
+      if (task.without_smoother)
+        omit_nonlinear_smoothing(scene.tnnmg, 0);
+      if (task.gauss_seidel)
+        omit_linear_correction(scene.tnnmg, 0);
+      LevelHierarchy<dim> &hierarchy    = problem.hierarchy();
+      const double         bytes_before = allocated_bytes();
+      const auto           solver       = make_rate_solver(hierarchy, scene);
+      for (unsigned int i = 0; i < task.repetitions; ++i)
+        {
+          hierarchy.combine(Newmark::operator_coefficients(2. * tau));
+          operator_time =
+            std::min(operator_time, seconds([&]() {
+                       hierarchy.combine(Newmark::operator_coefficients(tau));
+                     }));
+          w          = 0.;
+          solve_time = std::min(solve_time, seconds([&]() {
+                                  summary =
+                                    solver->solve(faults.friction(), rhs, w);
+                                }));
+        }
+      solver_bytes = allocated_bytes() - bytes_before;
+    }
+
+    /** Compare with a better solution. */
+    void
+    compare()
+    {
+      TNNMGParameters parameters = SceneParameters<dim>().tnnmg;
+      parameters.tolerance       = 1e-13;
+      parameters.max_iterations  = 200;
+      TNNMGSolver<dim> solver(problem.hierarchy(), parameters);
+      NodalVector      reference = w;
+      // Rounding may leave it slightly above such a tolerance.
+      solver.solve(faults.friction(), rhs, reference);
+      NodalVector difference = reference, product = reference;
+      const auto  energy = [&](const NodalVector &vector) {
+        problem.hierarchy().matrix().vmult(product, vector);
+        return std::sqrt(std::abs(vector * product));
+      };
+      difference -= w;
+      error = energy(difference) / energy(reference);
+    }
+
+    void
+    print()
+    {
+      double slowest = std::numeric_limits<double>::max(), fastest = 0;
+      for (const auto &rate : faults.tangential_jumps(w))
+        {
+          slowest = std::min(slowest, rate.norm());
+          fastest = std::max(fastest, rate.norm());
+        }
+      const NodePartition &nodes = problem.hierarchy().finest().nodes;
+      const double         n_own = double(nodes.n_owned()) * dim;
+      ResultTable          table;
+      table.add("processes", Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+      table.add("unknowns", coupled.n_unknowns());
+      table.add("bodies", scene.bodies.size());
+      table.add("tau", tau);
+      table.add("levels", coupled.meshes->n_levels());
+      table.add("fault_nodes", faults.size());
+      table.add("largest_share",
+                double(Utilities::MPI::max(nodes.n_owned(), MPI_COMM_WORLD)) /
+                  nodes.n_global());
+      table.add("slowest_node", slowest);
+      table.add("fastest_node", fastest);
+      table.add("converged", summary.converged);
+      table.add("tnnmg_iterations", summary.iterations.size());
+      table.add("cycles", summary.n_cycles());
+      table.add("error", error);
+      table.add("meshes_s", coupled.meshes_time);
+      table.add("matrices_and_contact_s", coupled.problem_time);
+      table.add("contact_s", contact_time);
+      table.add("equilibrium_iterations", equilibrium_iterations);
+      table.add("equilibrium_s", equilibrium_time);
+      table.add("operator_s", operator_time);
+      table.add("solve_s", solve_time);
+      table.add("start_MiB", memory_at_start);
+      table.add("meshes_MiB", coupled.memory_of_meshes);
+      table.add("largest_MiB", largest_resident_size());
+      table.add("hierarchy_MiB",
+                Utilities::MPI::max(problem.hierarchy().memory_consumption() /
+                                      1048576.,
+                                    MPI_COMM_WORLD));
+      table.add("bytes_per_unknown",
+                (coupled.problem_bytes + solver_bytes) / n_own);
+      if (task.costs)
+        add_costs(table);
+      table.end_row();
+      table.print();
+    }
+
+  private:
+    void
+    add_costs(ResultTable &table)
+    {
+      const double            assembly = coupled.assembly_time(scene.gravity);
+      const LinearisationCost cost =
+        measure_linearisation(problem.hierarchy(),
+                              Newmark::operator_coefficients(tau));
+      table.add("assembly_s", assembly);
+      table.add("v_cycle_s", cost.v_cycle);
+      table.add("new_tau_s", cost.new_coefficients);
+      table.add("new_hessian_s", cost.new_hessians);
+      table.add("new_truncation_s", cost.new_truncation);
+      table.add("new_tau_cycles", cost.new_coefficients / cost.v_cycle);
+      table.add("new_hessian_cycles", cost.new_hessians / cost.v_cycle);
+      table.add("new_truncation_cycles", cost.new_truncation / cost.v_cycle);
+      table.add("contact_assemblies", contact_time / assembly);
+    }
+
+    SceneParameters<dim> scene;
+    const Task           task;
+    const double         memory_at_start = largest_resident_size();
+    CoupledProblem<dim>  coupled;
+    SpatialProblem<dim> &problem;
+    const double         tau;
+    FaultNodes<dim>      faults;
+    NodalVector          rhs, w;
+    SolveSummary         summary;
+    unsigned int         equilibrium_iterations = 0;
+    double               contact_time = 0, equilibrium_time = 0, error = 0;
+    double               solver_bytes  = 0;
+    double               operator_time = std::numeric_limits<double>::max();
+    double               solve_time    = operator_time;
   };
 
 
 
   template <int dim>
   void
-  measure(const SceneParameters<dim> &scene)
+  measure(const SceneParameters<dim> &scene, const Task &task)
   {
-    Row          row;
-    const double memory_at_start = resident_size();
-
-    std::vector<BodyGeometry<dim>> geometries;
-    std::vector<Material>          materials;
-    std::vector<std::string>       names;
-    for (const BodyParameters<dim> &body : scene.bodies)
-      {
-        geometries.push_back(body.geometry);
-        materials.push_back(body.material);
-        names.push_back(body.name);
-      }
-    std::unique_ptr<MeshHierarchy<dim>>  meshes;
-    std::unique_ptr<BoundaryValues<dim>> boundary;
-    std::unique_ptr<SpatialProblem<dim>> problem;
-    const double                         mesh_time        = seconds([&]() {
-      meshes = std::make_unique<MeshHierarchy<dim>>(geometries, MPI_COMM_WORLD);
-      boundary =
-        std::make_unique<BoundaryValues<dim>>(*meshes,
-                                              scene.boundary_conditions,
-                                              names);
-    });
-    const double                         memory_of_meshes = resident_size();
-    const double                         problem_time     = seconds([&]() {
-      problem = std::make_unique<SpatialProblem<dim>>(*meshes,
-                                                      materials,
-                                                      *boundary,
-                                                      scene.gravity);
-    });
-    const double                         contact_time =
-      seconds([&]() { problem->build_contact(problem->make_nodal_vector()); });
-
-    InitialEquilibrium<dim> equilibrium;
-    const double            equilibrium_time =
-      seconds([&]() { equilibrium = solve_initial_equilibrium(*problem); });
-    unsigned int           n_in_tension = 0;
-    FaultNodes<dim>        faults(problem->jump_basis(),
-                           problem->hierarchy().finest().nodes,
-                           make_fault_laws(scene),
-                           make_normal_stress(scene,
-                                              problem->jump_basis(),
-                                              equilibrium,
-                                              n_in_tension));
-    const SystemState<dim> state =
-      make_initial_state(scene, problem->jump_basis(), equilibrium);
-    faults.set_state(state.alpha);
-
-    const double      tau = scene.time.initial_step;
-    const NodalVector rhs = Newmark::right_hand_side(*problem, state, tau);
-    TNNMGSolver<dim>  solver(problem->hierarchy(), scene.tnnmg);
-    SolveSummary      summary;
-    double            operator_time = std::numeric_limits<double>::max();
-    double            solve_time    = operator_time;
-    NodalVector       w             = problem->make_vector();
-    for (unsigned int repetition = 0; repetition < repetitions; ++repetition)
-      {
-        problem->hierarchy().combine(Newmark::operator_coefficients(2. * tau));
-        operator_time = std::min(operator_time, seconds([&]() {
-                                   problem->hierarchy().combine(
-                                     Newmark::operator_coefficients(tau));
-                                 }));
-        w             = 0.;
-        solve_time    = std::min(solve_time, seconds([&]() {
-                                summary =
-                                  solver.solve(faults.friction(), rhs, w);
-                              }));
-        AssertThrow(summary.converged, ExcMessage("No convergence."));
-      }
-    double slowest = std::numeric_limits<double>::max(), fastest = 0;
-    for (const auto &rate : faults.tangential_jumps(w))
-      {
-        slowest = std::min(slowest, rate.norm());
-        fastest = std::max(fastest, rate.norm());
-      }
-
-    const NodePartition &nodes = problem->hierarchy().finest().nodes;
-    row.add("processes", Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-    row.add("unknowns", nodes.n_global() * dim);
-    row.add("levels", meshes->n_levels());
-    row.add("fault_nodes", faults.size());
-    row.add("largest_share",
-            double(Utilities::MPI::max(nodes.n_owned(), MPI_COMM_WORLD)) /
-              nodes.n_global());
-    row.add("slowest_node", slowest);
-    row.add("fastest_node", fastest);
-    row.add("tnnmg_iterations", summary.iterations.size());
-    row.add("cycles", summary.n_cycles());
-    row.add("meshes_s", mesh_time);
-    row.add("matrices_and_contact_s", problem_time);
-    row.add("contact_s", contact_time);
-    row.add("equilibrium_iterations", equilibrium.iterations);
-    row.add("equilibrium_s", equilibrium_time);
-    row.add("operator_s", operator_time);
-    row.add("solve_s", solve_time);
-    row.add("start_MiB", memory_at_start);
-    row.add("meshes_MiB", memory_of_meshes);
-    row.add("largest_MiB", resident_size());
-    row.add("hierarchy_MiB",
-            Utilities::MPI::max(problem->hierarchy().memory_consumption() /
-                                  1048576.,
-                                MPI_COMM_WORLD));
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << row.names.str() << '\n' << row.values.str() << std::endl;
+    RateProblem<dim> problem(scene, task);
+    problem.solve();
+    problem.compare();
+    problem.print();
   }
 } // namespace
 
@@ -193,12 +225,25 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
     {
-      const CommandLine arguments = parse_command_line({argv + 1, argv + argc});
+      Options options(argc, argv);
+      Task    task;
+      task.repetitions =
+        Utilities::string_to_int(options.take_value("--repetitions", "3"));
+      task.without_smoother       = options.take("--without-smoother");
+      task.gauss_seidel           = options.take("--gauss-seidel");
+      task.costs                  = options.take("--costs");
+      const CommandLine arguments = parse_command_line(options.rest());
       const SceneReader reader(arguments.parameter_file, arguments.overrides);
       if (reader.dimension() == 2)
-        measure(reader.read<2>());
+        measure(reader.read<2>(), task);
       else
-        measure(reader.read<3>());
+        measure(reader.read<3>(), task);
+    }
+  catch (const dealii::ExceptionBase &error)
+    {
+      std::cerr << "rate_problem: ";
+      error.print_info(std::cerr);
+      MPI_Abort(MPI_COMM_WORLD, 1);
     }
   catch (const std::exception &error)
     {
