@@ -3,19 +3,23 @@
 
 /*
  * rate_problem FILE.prm [--set ENTRY=VALUE]... [--repetitions N]
+ *              [--state NAME:EXPRESSION]... [--taus SIZES]
  *              [--without-smoother] [--gauss-seidel] [--costs]
  *
  * Measures one rate problem of a scene: that of its first time step, of size
  * Time/Initial step, at the initial state of the faults, from the static
- * equilibrium. Prints one line of comma-separated values under a header. Times
- * are those of the slowest process, in s; those of set-up of the operator and
- * of the solution are the shortest of several repetitions.
+ * equilibrium; or several, one for each given initial state of all faults and
+ * each of the given step sizes, separated by commas. Prints a line of
+ * comma-separated values for each under a header. Times are those of the
+ * slowest process, in s; those of set-up of the operator and of the solution
+ * are the shortest of several repetitions.
  *
  * The error is that in the energy norm against TNNMG's solution with tolerance
  * 1e-13, relative to that. Bytes are what is allocated for matrices and solver,
  * without the meshes. --without-smoother leaves out the nonlinear smoother,
- * --gauss-seidel everything else; then it is no failure if the iteration does
- * not converge. --costs measures what changes of the operator take.
+ * --gauss-seidel everything else. --costs measures what changes of the operator
+ * take. The column converged tells whether the iteration has; there is no error
+ * exit if not.
  */
 
 #include <stickslip/simulation/command_line.h>
@@ -37,6 +41,9 @@ namespace
     bool         without_smoother = false;
     bool         gauss_seidel     = false;
     bool         costs            = false;
+
+    std::vector<double>                              taus;
+    std::vector<std::pair<std::string, std::string>> states;
   };
 
 
@@ -50,14 +57,11 @@ namespace
       , task(task)
       , coupled(scene)
       , problem(*coupled.problem)
-      , tau(scene.time.initial_step)
     {
       contact_time =
         seconds([&]() { problem.build_contact(problem.make_nodal_vector()); });
-      InitialEquilibrium<dim> equilibrium;
       equilibrium_time =
         seconds([&]() { equilibrium = solve_initial_equilibrium(problem); });
-      equilibrium_iterations    = equilibrium.iterations;
       unsigned int n_in_tension = 0;
       faults                    = FaultNodes<dim>(problem.jump_basis(),
                                problem.hierarchy().finest().nodes,
@@ -66,24 +70,46 @@ namespace
                                                   problem.jump_basis(),
                                                   equilibrium,
                                                   n_in_tension));
-      const SystemState<dim> state =
-        make_initial_state(scene, problem.jump_basis(), equilibrium);
-      faults.set_state(state.alpha);
-      rhs = Newmark::right_hand_side(problem, state, tau);
-      w   = problem.make_vector();
+      w                         = problem.make_vector();
+      if (task.without_smoother)
+        omit_nonlinear_smoothing(this->scene.tnnmg, 0);
+      if (task.gauss_seidel)
+        omit_linear_correction(this->scene.tnnmg, 0);
     }
 
+    /** All step sizes for all states. */
+    void
+    run()
+    {
+      for (const auto &state : task.states)
+        {
+          for (FaultParameters &fault : scene.faults)
+            if (!state.second.empty())
+              fault.initial_state = state.second;
+          const SystemState<dim> initial =
+            make_initial_state(scene, problem.jump_basis(), equilibrium);
+          faults.set_state(initial.alpha);
+          for (const double size : task.taus)
+            {
+              tau = size;
+              rhs = Newmark::right_hand_side(problem, initial, tau);
+              solve();
+              compare();
+              add_row(state.first);
+            }
+        }
+      table.print();
+    }
+
+  private:
     /** Solve from zero some times. */
     void
     solve()
     {
-      if (task.without_smoother)
-        omit_nonlinear_smoothing(scene.tnnmg, 0);
-      if (task.gauss_seidel)
-        omit_linear_correction(scene.tnnmg, 0);
       LevelHierarchy<dim> &hierarchy    = problem.hierarchy();
       const double         bytes_before = allocated_bytes();
       const auto           solver       = make_rate_solver(hierarchy, scene);
+      operator_time = solve_time = std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < task.repetitions; ++i)
         {
           hierarchy.combine(Newmark::operator_coefficients(2. * tau));
@@ -121,7 +147,7 @@ namespace
     }
 
     void
-    print()
+    add_row(const std::string &state)
     {
       double slowest = std::numeric_limits<double>::max(), fastest = 0;
       for (const auto &rate : faults.tangential_jumps(w))
@@ -131,10 +157,10 @@ namespace
         }
       const NodePartition &nodes = problem.hierarchy().finest().nodes;
       const double         n_own = double(nodes.n_owned()) * dim;
-      ResultTable          table;
       table.add("processes", Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
       table.add("unknowns", coupled.n_unknowns());
       table.add("bodies", scene.bodies.size());
+      table.add("state", state);
       table.add("tau", tau);
       table.add("levels", coupled.meshes->n_levels());
       table.add("fault_nodes", faults.size());
@@ -150,7 +176,7 @@ namespace
       table.add("meshes_s", coupled.meshes_time);
       table.add("matrices_and_contact_s", coupled.problem_time);
       table.add("contact_s", contact_time);
-      table.add("equilibrium_iterations", equilibrium_iterations);
+      table.add("equilibrium_iterations", equilibrium.iterations);
       table.add("equilibrium_s", equilibrium_time);
       table.add("operator_s", operator_time);
       table.add("solve_s", solve_time);
@@ -164,14 +190,12 @@ namespace
       table.add("bytes_per_unknown",
                 (coupled.problem_bytes + solver_bytes) / n_own);
       if (task.costs)
-        add_costs(table);
+        add_costs();
       table.end_row();
-      table.print();
     }
 
-  private:
     void
-    add_costs(ResultTable &table)
+    add_costs()
     {
       const double            assembly = coupled.assembly_time(scene.gravity);
       const LinearisationCost cost =
@@ -188,32 +212,35 @@ namespace
       table.add("contact_assemblies", contact_time / assembly);
     }
 
-    SceneParameters<dim> scene;
-    const Task           task;
-    const double         memory_at_start = largest_resident_size();
-    CoupledProblem<dim>  coupled;
-    SpatialProblem<dim> &problem;
-    const double         tau;
-    FaultNodes<dim>      faults;
-    NodalVector          rhs, w;
-    SolveSummary         summary;
-    unsigned int         equilibrium_iterations = 0;
-    double               contact_time = 0, equilibrium_time = 0, error = 0;
-    double               solver_bytes  = 0;
-    double               operator_time = std::numeric_limits<double>::max();
-    double               solve_time    = operator_time;
+    SceneParameters<dim>    scene;
+    const Task              task;
+    const double            memory_at_start = largest_resident_size();
+    CoupledProblem<dim>     coupled;
+    SpatialProblem<dim>    &problem;
+    InitialEquilibrium<dim> equilibrium;
+    FaultNodes<dim>         faults;
+    double                  contact_time = 0, equilibrium_time = 0;
+
+    /** Of the present case. */
+    double       tau = 0;
+    NodalVector  rhs, w;
+    SolveSummary summary;
+    double       error = 0, solver_bytes = 0, operator_time = 0, solve_time = 0;
+
+    ResultTable table;
   };
 
 
 
   template <int dim>
   void
-  measure(const SceneParameters<dim> &scene, const Task &task)
+  measure(const SceneParameters<dim> &scene, Task task)
   {
-    RateProblem<dim> problem(scene, task);
-    problem.solve();
-    problem.compare();
-    problem.print();
+    if (task.taus.empty())
+      task.taus.push_back(scene.time.initial_step);
+    if (task.states.empty())
+      task.states.emplace_back("scene", "");
+    RateProblem<dim>(scene, task).run();
   }
 } // namespace
 
@@ -229,9 +256,19 @@ main(int argc, char *argv[])
       Task    task;
       task.repetitions =
         Utilities::string_to_int(options.take_value("--repetitions", "3"));
-      task.without_smoother       = options.take("--without-smoother");
-      task.gauss_seidel           = options.take("--gauss-seidel");
-      task.costs                  = options.take("--costs");
+      task.without_smoother = options.take("--without-smoother");
+      task.gauss_seidel     = options.take("--gauss-seidel");
+      task.costs            = options.take("--costs");
+      task.taus             = Utilities::string_to_double(
+        Utilities::split_string_list(options.take_value("--taus", "")));
+      for (std::string state = options.take_value("--state", "");
+           !state.empty();
+           state = options.take_value("--state", ""))
+        {
+          const auto colon = state.find(':');
+          task.states.emplace_back(state.substr(0, colon),
+                                   state.substr(colon + 1));
+        }
       const CommandLine arguments = parse_command_line(options.rest());
       const SceneReader reader(arguments.parameter_file, arguments.overrides);
       if (reader.dimension() == 2)
