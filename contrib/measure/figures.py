@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Figures of what contrib/benchmark has measured."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib.ticker import MaxNLocator
+
+from .programs import PROJECT
+
+# Okabe and Ito's colours, which the colour-blind can tell apart.
+BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE, YELLOW, BLACK = (
+    "#0072b2", "#e69f00", "#009e73", "#d55e00",
+    "#56b4e9", "#cc79a7", "#b8a800", "#000000",
+)
+IMAGES = PROJECT / "doc/images"
+STATE_STYLES = {
+    "stuck": (BLUE, "o"),
+    "nucleating": (VERMILION, "s"),
+    "slipping": (GREEN, "^"),
+    "half": (ORANGE, "D"),
+    "random": (PURPLE, "v"),
+}
+# Title, colour, marker, dashes; linear problems dashed.
+SOLVER_STYLES = {
+    "TNNMG": ("TNNMG, rate problem", VERMILION, "o", "-"),
+    "exact, UMFPACK": ("exact correction, UMFPACK", BLUE, "s", "-"),
+    "exact, MUMPS": ("exact correction, MUMPS", SKY, "D", "-"),
+    "CG with ML": ("correction by CG with ML", GREEN, "^", "-"),
+    "Newton, UMFPACK": ("Newton without smoother, UMFPACK", PURPLE, "v", "-"),
+    "condensed": ("condensed Newton", YELLOW, "P", "-"),
+    "geometric": ("deal.II's multigrid, linear", BLACK, "o", "--"),
+    "coupled": ("our cycle, linear", VERMILION, "o", "--"),
+    "algebraic": ("ML, linear", GREEN, "^", "--"),
+    "umfpack": ("UMFPACK with factorisation, linear", BLUE, "s", "--"),
+    "mumps": ("MUMPS with factorisation, linear", SKY, "D", "--"),
+}
+
+
+def save(figure, name):
+    path = IMAGES / f"performance_{name}.svg"
+    IMAGES.mkdir(exist_ok=True)
+    # The same results give the same file.
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+    return path
+
+
+def new_figure(width=7.0, height=4.4):
+    plt.rcParams["svg.hashsalt"] = "stickslip"
+    plt.rcParams["font.size"] = 9
+    figure, axes = plt.subplots(figsize=(width, height), layout="constrained")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.grid(alpha=0.3, linewidth=0.5)
+    return figure, axes
+
+
+def solver_time(record):
+    """Seconds for a solution; a factorisation belongs to it."""
+    time = float(record["solve_s"])
+    if record["solver"] in ("umfpack", "mumps"):
+        time += float(record["setup_s"])
+    return time
+
+
+def draw_times(records):
+    """Time for an unknown over unknowns: two dimensions, cells of one size, and
+    of the rate problems the nucleating one."""
+    figure, axes = new_figure()
+    for solver, (title, colour, marker, dashes) in SOLVER_STYLES.items():
+        points = {}
+        for record in records:
+            if (
+                record["solver"] == solver
+                and record["section"] in ("linear", "newton", "levels")
+                and record["problem"].startswith("uniform-")
+                and record["state"] in ("welded", "nucleating")
+                and float(record["tau"]) == 1e-3
+                and record["solve_s"]
+                and not record["note"]
+            ):
+                n = float(record["unknowns"])
+                time = solver_time(record) / n * 1e6
+                points[n] = min(time, points.get(n, time))
+        if points:
+            axes.loglog(
+                sorted(points),
+                [points[n] for n in sorted(points)],
+                linestyle=dashes,
+                color=colour,
+                marker=marker,
+                markersize=5,
+                markerfacecolor=colour if dashes == "-" else "white",
+                linewidth=1.4,
+                label=title,
+            )
+    axes.set_xlabel("unknowns")
+    axes.set_ylabel("µs an unknown for a solution")
+    axes.legend(
+        loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8
+    )
+    return save(figure, "time")
+
+
+def draw_iterations(records, section, abscissa, label):
+    figure, axes = new_figure(6.0, 3.4)
+    for state, (colour, marker) in STATE_STYLES.items():
+        points = sorted(
+            (abscissa(record), int(record["iterations"]))
+            for record in records
+            if record["section"] == section
+            and record["state"] == state
+            and record["iterations"]
+        )
+        if points:
+            axes.semilogx(
+                *zip(*points),
+                color=colour,
+                marker=marker,
+                markersize=5,
+                linewidth=1.4,
+                label=state,
+            )
+    ticks = sorted({abscissa(r) for r in records if r["section"] == section})
+    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.minorticks_off()
+    axes.set_ylim(bottom=0)
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel(label)
+    axes.set_ylabel("TNNMG iterations")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+    return save(figure, f"iterations_{section}")
+
+
+def refinements(record):
+    """Cells over the height of a body."""
+    return 3 * 2 ** int(record["problem"].rsplit("-", 1)[1])
+
+
+def draw(records):
+    """Draw what there are results for; returns the files."""
+    present = {record["section"] for record in records}
+    if present & {"linear", "newton"}:
+        yield draw_times(records)
+    if "levels" in present:
+        yield draw_iterations(
+            records, "levels", refinements, "cells over the height of a body"
+        )
+    if "bodies" in present:
+        yield draw_iterations(
+            records, "bodies", lambda r: int(r["bodies"]), "bodies"
+        )
