@@ -123,7 +123,7 @@ def mesh_tables(mesh, rows):
             (
                 page.number(row["tau"]),
                 LIBRARIES[row["solver"]],
-                row["iterations"] or row["note"],
+                row["iterations"] or row["note"].split(":")[0],
                 page.number(row["setup_s"]),
                 page.number(row["solve_s"]),
                 page.number(
@@ -168,7 +168,7 @@ def mesh_tables(mesh, rows):
             (
                 page.number(row["tau"]),
                 row["state"],
-                row["iterations"] or row["note"],
+                row["iterations"] or row["note"].split(":")[0],
                 row["cycles"],
                 page.number(row["solve_s"]),
                 page.number(row["bytes_per_unknown"], 4),

@@ -35,7 +35,7 @@ def state_table(records, first_title, first_value):
                 *(
                     f"{own[s]['iterations']} / {own[s]['cycles']}"
                     if s in own and own[s]["iterations"]
-                    else (own[s]["note"] if s in own else "")
+                    else (own[s]["note"].split(":")[0] if s in own else "")
                     for s in states
                 ),
                 page.number(

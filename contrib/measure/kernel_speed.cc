@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 /*
- * kernel_speed [--triad] [--small]
+ * kernel_speed [--triad]
  *
  * Measures the bandwidth of the memory by the triad of STREAM, and then (not
  * with --triad) the kernels of the block matrices and those of deal.II on the
@@ -81,7 +81,7 @@ namespace
   /** One body with cells of one size. */
   template <int dim>
   BlockMatrix<dim>
-  make_matrix(const bool small)
+  make_matrix()
   {
     BodyGeometry<dim> geometry;
     for (unsigned int d = 0; d + 1 < dim; ++d)
@@ -91,7 +91,7 @@ namespace
       }
     geometry.thickness = 1.;
     geometry.coarse_cells.fill(dim == 2 ? 11 : 3);
-    geometry.uniform_refinements = (dim == 2 ? 6 : 4) - (small ? 2 : 0);
+    geometry.uniform_refinements = dim == 2 ? 6 : 4;
     geometry.refinement_passes   = 0;
     const MeshHierarchy<dim>    meshes({geometry}, MPI_COMM_WORLD);
     const std::vector<Material> materials(1);
@@ -140,12 +140,10 @@ namespace
   class KernelTimes
   {
   public:
-    KernelTimes(ResultTable     &table,
-                const Bandwidth &bandwidth,
-                const bool       small)
+    KernelTimes(ResultTable &table, const Bandwidth &bandwidth)
       : table(table)
       , bandwidth(bandwidth)
-      , matrix(make_matrix<dim>(small))
+      , matrix(make_matrix<dim>())
       , n(matrix.n_rows())
       , entries(double(matrix.sparsity().n_entries()) / n)
     {}
@@ -266,11 +264,10 @@ main(int argc, char *argv[])
   Options                                  options(argc, argv);
   ResultTable                              table;
   const Bandwidth                          bandwidth = measure_bandwidth(table);
-  const bool                               small     = options.take("--small");
   if (!options.take("--triad"))
     {
-      KernelTimes<2>(table, bandwidth, small).run();
-      KernelTimes<3>(table, bandwidth, small).run();
+      KernelTimes<2>(table, bandwidth).run();
+      KernelTimes<3>(table, bandwidth).run();
     }
   table.print();
 }

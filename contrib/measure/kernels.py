@@ -11,16 +11,10 @@ class Kernels:
 
     @staticmethod
     def measure(quick, log):
-        rows = {"native": programs.run("kernel_speed", ["--small"] * quick, 120)}
-        log("native kernels measured")
+        rows = {"native": programs.run("kernel_speed", [], 120)}
         if not quick:
-            try:
-                with programs.temporary_folder() as folder:
-                    programs.configure_portable_build(folder)
-                    log("portable kernels built")
-                    rows["portable"] = programs.run("kernel_speed", [], 120, folder)
-            except programs.Failed as reason:
-                log(f"no portable kernels: {reason}")
+            rows["portable"] = programs.run("kernel_speed_portable", [], 120)
+        log("kernels measured")
         return [], rows
 
     @staticmethod
@@ -64,7 +58,7 @@ class Kernels:
                     "bytes an unknown",
                     "ns an unknown",
                     "of the bound",
-                    "ns without -march=native",
+                    "ns without STICKSLIP_NATIVE",
                 ),
                 rows,
             )

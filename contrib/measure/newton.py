@@ -72,7 +72,7 @@ def cell(row, tnnmg):
     if row is None:
         return ""
     if not row["solve_s"]:
-        return row["note"]
+        return row["note"].split(":")[0]
     count = row["iterations"]
     if row["note"]:
         size = page.number(row["error"], 1)

@@ -19,9 +19,9 @@ class Failed(Exception):
     """A measurement that did not come to its end, with the reason in short."""
 
 
-def run(program, arguments, timeout, folder="build"):
+def run(program, arguments, timeout):
     """The rows that a program prints, as dictionaries."""
-    command = [str(PROJECT / folder / program), *map(str, arguments)]
+    command = [str(PROJECT / "build" / program), *map(str, arguments)]
     try:
         result = subprocess.run(
             command,
@@ -35,11 +35,10 @@ def run(program, arguments, timeout, folder="build"):
         raise Failed(f"more than {timeout:.0f} s") from None
     if result.returncode != 0:
         lines = [line.strip() for line in result.stderr.splitlines() if line.strip()]
-        reason = next(
-            (line for line in lines if line.startswith(program)),
-            f"exit status {result.returncode}",
-        )
-        raise Failed(reason.removeprefix(f"{program}: ")[:120] or "failed")
+        begin = f"{program}: "
+        reason = next((line for line in lines if line.startswith(begin)), "")
+        reason = reason.removeprefix(begin) or f"exit status {result.returncode}"
+        raise Failed(f"failed: {reason}")
     return list(csv.DictReader(result.stdout.splitlines()))
 
 
@@ -151,20 +150,6 @@ def machine():
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     cores = len(os.sched_getaffinity(0))
     return f"{model}, {cores} cores, {memory:.0f} GiB"
-
-
-def configure_portable_build(folder):
-    """Build kernel_speed without this machine's own instruction set."""
-    steps = [
-        ["cmake", "-G", "Ninja", "-S", PROJECT, "-B", folder]
-        + ["-DCMAKE_BUILD_TYPE=Release"]
-        + ["-DSTICKSLIP_NATIVE=OFF", "-DSTICKSLIP_TESTS=OFF"],
-        ["ninja", "-C", folder, "-j", "2", "kernel_speed"],
-    ]
-    for step in steps:
-        result = subprocess.run(step, stdout=subprocess.PIPE, text=True)
-        if result.returncode != 0:
-            raise Failed("the portable build failed")
 
 
 def temporary_folder():
