@@ -106,16 +106,29 @@ def draw_times(records):
 
 
 def draw_iterations(records, section, abscissa, label):
-    figure, axes = new_figure(6.0, 3.4)
-    for state, (colour, marker) in STATE_STYLES.items():
-        points = sorted(
-            (abscissa(record), int(record["iterations"]))
-            for record in records
-            if record["section"] == section
-            and record["state"] == state
-            and record["iterations"]
-        )
-        if points:
+    """For a small and a large step size, side by side."""
+    plt.rcParams["svg.hashsalt"] = "stickslip"
+    plt.rcParams["font.size"] = 9
+    own = [r for r in records if r["section"] == section and r["iterations"]]
+    taus = sorted({float(r["tau"]) for r in own})
+    figure, panels = plt.subplots(
+        1,
+        len(taus),
+        figsize=(3.2 * len(taus) + 1.0, 3.0),
+        sharey=True,
+        squeeze=False,
+        layout="constrained",
+    )
+    ticks = sorted({abscissa(r) for r in own})
+    for axes, tau in zip(panels[0], taus):
+        for state, (colour, marker) in STATE_STYLES.items():
+            points = sorted(
+                (abscissa(r), int(r["iterations"]))
+                for r in own
+                if r["state"] == state and float(r["tau"]) == tau
+            )
+            if not points:
+                continue
             axes.semilogx(
                 *zip(*points),
                 color=colour,
@@ -124,14 +137,18 @@ def draw_iterations(records, section, abscissa, label):
                 linewidth=1.4,
                 label=state,
             )
-    ticks = sorted({abscissa(r) for r in records if r["section"] == section})
-    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    axes.minorticks_off()
-    axes.set_ylim(bottom=0)
-    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set_xlabel(label)
-    axes.set_ylabel("TNNMG iterations")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.grid(alpha=0.3, linewidth=0.5)
+        axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        axes.minorticks_off()
+        axes.set_ylim(bottom=0)
+        axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+        axes.set_xlabel(label)
+        axes.set_title(f"tau = {tau:g} s", fontsize=9)
+    panels[0][0].set_ylabel("TNNMG iterations")
+    panels[0][-1].legend(
+        loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False
+    )
     return save(figure, f"iterations_{section}")
 
 

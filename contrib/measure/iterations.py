@@ -6,19 +6,32 @@ from . import page, programs, scenes
 from .scenes import STATES
 
 
-def measure_states(section, mesh, states, records, timeout=200):
-    """One run of the program for all states."""
+# With the first one inertia prevails, with the second elasticity.
+TAUS = ("1e-3", "1e-1")
+
+
+def measure_states(section, mesh, states, records, timeout=300):
+    """One run of the program for all states and step sizes."""
     chosen = {state: STATES[state] for state in states}
     try:
         rows = programs.rate_rows(
-            mesh, chosen, ["1e-3"], ["--repetitions", 1], timeout=timeout
+            mesh, chosen, TAUS, ["--repetitions", 1], timeout=timeout
         )
         records += [programs.rate_record(section, mesh, "TNNMG", row) for row in rows]
     except programs.Failed as reason:
         records += [
-            programs.failed_record(section, mesh, "TNNMG", state, "1e-3", reason)
+            programs.failed_record(section, mesh, "TNNMG", state, tau, reason)
+            for tau in TAUS
             for state in states
         ]
+
+
+def state_tables(records, first_title, first_value):
+    """A table for each step size."""
+    for tau in TAUS:
+        yield f"tau = {tau} s:\n"
+        own = [r for r in records if float(r["tau"]) == float(tau)]
+        yield state_table(own, first_title, first_value)
 
 
 def state_table(records, first_title, first_value):
@@ -66,12 +79,14 @@ class Levels:
 
     @staticmethod
     def text(records, _):
-        return (
-            "Iterations / V-cycles, tau = 1e-3 s, cells of one size:\n\n"
-            + state_table(
-                records,
-                "refinements",
-                lambda record: record["problem"].rsplit("-", 1)[1],
+        return "\n".join(
+            (
+                "Iterations / V-cycles, cells of one size:\n",
+                *state_tables(
+                    records,
+                    "refinements",
+                    lambda record: record["problem"].rsplit("-", 1)[1],
+                ),
             )
         )
 
@@ -92,7 +107,9 @@ class Bodies:
 
     @staticmethod
     def text(records, _):
-        return (
-            "Iterations / V-cycles, tau = 1e-3 s, all faults in the same state:\n\n"
-            + state_table(records, "bodies", lambda record: record["bodies"])
+        return "\n".join(
+            (
+                "Iterations / V-cycles, all faults in the same state:\n",
+                *state_tables(records, "bodies", lambda record: record["bodies"]),
+            )
         )
