@@ -41,10 +41,12 @@ def measure(quick, log):
     for name, taus, repetitions in cases(quick):
         mesh = MESHES[name]
 
-        def libraries(solvers, repetitions):
+        def libraries(solvers, *options):
             for tau in taus:
                 try:
-                    rows = programs.linear_rows(mesh, tau, solvers, repetitions)
+                    rows = programs.linear_rows(
+                        mesh, tau, solvers, repetitions, options
+                    )
                 except programs.Failed as reason:
                     for solver in solvers:
                         record = programs.failed_record(
@@ -56,7 +58,7 @@ def measure(quick, log):
                     record = programs.linear_record(SECTION, mesh, row)
                     programs.keep_shortest(records, record)
 
-        libraries(ITERATIVE, repetitions)
+        libraries(ITERATIVE)
         for tau, states in taus.items():
             try:
                 rows = programs.rate_rows(
@@ -75,7 +77,7 @@ def measure(quick, log):
             for row in rows:
                 record = programs.rate_record(SECTION, mesh, "TNNMG", row)
                 programs.keep_shortest(records, record)
-        libraries(("geometric", "coupled"), repetitions)
+        libraries(("geometric", "coupled"), "--times-only")
         if not quick and "1e-3" in taus:
             libraries_once(mesh, records)
         log(f"{name} measured")
