@@ -59,7 +59,11 @@ def main():
         def log(message):
             print(f"{name}, {time.monotonic() - start:.0f} s: {message}", flush=True)
 
-        records, results = section.measure(arguments.quick, log)
+        try:
+            records, results = section.measure(arguments.quick, log)
+        except programs.Failed as reason:
+            log(f"nothing measured: {reason}")
+            continue
         used[name] = time.monotonic() - start
         text = section.text(records, results)
         if arguments.quick:

@@ -121,9 +121,10 @@ def draw_iterations(records, section, abscissa, label):
     )
     ticks = sorted({abscissa(r) for r in own})
     for axes, tau in zip(panels[0], taus):
-        for state, (colour, marker) in STATE_STYLES.items():
+        for k, (state, (colour, marker)) in enumerate(STATE_STYLES.items()):
+            # A little aside, so that equal numbers do not hide each other.
             points = sorted(
-                (abscissa(r), int(r["iterations"]))
+                (abscissa(r) * 1.05 ** (k - 2), int(r["iterations"]))
                 for r in own
                 if r["state"] == state and float(r["tau"]) == tau
             )
