@@ -85,7 +85,7 @@ def measure(quick, log):
 
 
 def libraries_once(mesh, records):
-    """The factorisations, for one step size."""
+    """The factorisations, for one step size: it changes nothing for them."""
     for solver in ("umfpack", "mumps"):
         try:
             rows = programs.linear_rows(mesh, "1e-3", [solver], 1, timeout=60)

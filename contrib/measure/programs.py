@@ -121,7 +121,7 @@ def failed_record(section, mesh, solver, state, tau, reason):
         state=state,
         dim=mesh.dim,
         bodies=mesh.bodies,
-        tau=tau,
+        tau=f"{float(tau):g}",
         solver=solver,
         note=str(reason),
     )
