@@ -23,6 +23,7 @@ TRACTION = {
     "Boundary conditions/upper top/x value": "28e3",
     "Boundary conditions/upper top/Ramp length": "0",
     "Time/Initial step": "1e-3",
+    "Time/Largest step": "1",
 }
 
 
