@@ -62,14 +62,6 @@ def new_panels(n, width, height):
     return figure, panels[0]
 
 
-def solver_time(record):
-    """Seconds for a solution; a factorisation belongs to it."""
-    time = float(record["solve_s"])
-    if record["solver"] in ("umfpack", "mumps"):
-        time += float(record["setup_s"])
-    return time
-
-
 def shortest_times(records, solver, tau):
     """Microseconds for an unknown, by the number of unknowns: two dimensions,
     cells of one size, and of the rate problems the nucleating one."""
@@ -86,7 +78,7 @@ def shortest_times(records, solver, tau):
             and float(record["error"] or 0) < 1e-6
         ):
             n = float(record["unknowns"])
-            time = solver_time(record) / n * 1e6
+            time = float(record["solve_s"]) / n * 1e6
             points[n] = min(time, points.get(n, time))
     return sorted(points.items())
 
@@ -112,10 +104,11 @@ def draw_times(records):
         axes.set_title(f"tau = {tau:g} s", fontsize=9)
     panels[0].set_ylabel("µs an unknown for a solution")
     titles = [style[0] for style in SOLVER_STYLES.values() if style[0] in handles]
-    figure.legend(
+    panels[-1].legend(
         [handles[title] for title in titles],
         titles,
-        loc="outside right center",
+        loc="center left",
+        bbox_to_anchor=(1.0, 0.5),
         frameon=False,
         fontsize=8,
     )
