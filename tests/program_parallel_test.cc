@@ -92,6 +92,30 @@ TEST(ProgramParallel, ReportsBadInputOnce)
 
 
 
+TEST(ProgramParallel, WhatIsForOneProcessSaysSo)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm", scene);
+  for (const std::pair<std::string, std::string> &entry :
+       {std::make_pair("Time/Rate solver", "condensed Newton"),
+        std::make_pair("TNNMG/Linear correction", "UMFPACK"),
+        std::make_pair("TNNMG/Linear correction", "MUMPS"),
+        std::make_pair("TNNMG/Linear correction", "AMG")})
+    {
+      const Outcome outcome =
+        run_command(folder,
+                    parallel_program(2) + " scene.prm --set '" + entry.first +
+                      "=" + entry.second + "'");
+      EXPECT_EQ(outcome.exit_status, 1);
+      EXPECT_EQ(outcome.errors,
+                "stickslip: '" + entry.first + "' = '" + entry.second +
+                  "': runs on one process only, but there are 2.\n");
+      EXPECT_FALSE(std::filesystem::exists(folder.file("output")));
+    }
+}
+
+
+
 TEST(ProgramParallel, InputThatOneProcessLacksEndsAll)
 {
   const TemporaryFolder folder;

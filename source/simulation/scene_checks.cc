@@ -10,6 +10,7 @@
 #include <stickslip/simulation/side_points.h>
 
 #include <algorithm>
+#include <map>
 
 namespace StickSlip
 {
@@ -259,8 +260,35 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  void
+  check_process_count(const SceneParameters<dim> &scene,
+                      const unsigned int          n_processes)
+  {
+    if (n_processes == 1)
+      return;
+    const std::string ending = ": runs on one process only, but there are " +
+                               std::to_string(n_processes) + ".";
+    if (scene.time.rate_solver == RateSolver::condensed_newton)
+      throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
+    const std::map<LinearCorrectionType, std::string> names = {
+      {LinearCorrectionType::umfpack, "UMFPACK"},
+      {LinearCorrectionType::mumps, "MUMPS"},
+      {LinearCorrectionType::amg, "AMG"}};
+    const auto serial = names.find(scene.tnnmg.linear_correction);
+    if (serial != names.end())
+      throw InputError(naming("TNNMG/Linear correction", serial->second) +
+                       ending);
+  }
+
+
+
   template void
   check_scene(const SceneParameters<2> &);
   template void
   check_scene(const SceneParameters<3> &);
+  template void
+  check_process_count(const SceneParameters<2> &, const unsigned int);
+  template void
+  check_process_count(const SceneParameters<3> &, const unsigned int);
 } // namespace StickSlip

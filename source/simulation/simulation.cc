@@ -7,6 +7,7 @@
 #include <stickslip/output/interrupt.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/scene_checks.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/space_summary.h>
 #include <stickslip/version.h>
@@ -64,6 +65,17 @@ namespace StickSlip
         result.push_back(fault.name);
       return result;
     }
+
+
+
+    /** The scene itself, if it runs on that many processes. */
+    template <int dim>
+    const SceneParameters<dim> &
+    checked(const SceneParameters<dim> &scene, const MPI_Comm &communicator)
+    {
+      check_process_count(scene, Utilities::MPI::n_mpi_processes(communicator));
+      return scene;
+    }
   } // namespace
 
 
@@ -71,7 +83,7 @@ namespace StickSlip
   template <int dim>
   Simulation<dim>::Simulation(const SceneParameters<dim> &scene,
                               const MPI_Comm             &communicator)
-    : scene(scene)
+    : scene(checked(scene, communicator))
     , communicator(communicator)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , mesh_hierarchy(geometries(scene), communicator)

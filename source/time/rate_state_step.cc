@@ -4,6 +4,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/time/rate_state_step.h>
+#include <stickslip/time/rigid_body_modes.h>
+#include <stickslip/tnnmg/condensed_solver.h>
+#include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <cmath>
 #include <iostream>
@@ -29,8 +32,18 @@ namespace StickSlip
   void
   RateStateStep<dim>::reinit()
   {
-    solver =
-      std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(), tnnmg_parameters);
+    // The old one may refer to levels that are gone.
+    solver.reset();
+    if (time_parameters.rate_solver == RateSolver::condensed_newton)
+      solver = std::make_unique<CondensedSolver<dim>>(problem.hierarchy(),
+                                                      tnnmg_parameters);
+    else if (tnnmg_parameters.linear_correction == LinearCorrectionType::amg)
+      solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
+                                                  tnnmg_parameters,
+                                                  rigid_body_modes(problem));
+    else
+      solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
+                                                  tnnmg_parameters);
   }
 
 
@@ -100,7 +113,14 @@ namespace StickSlip
       w.local_element(p * dim + dim - 1) = 0.;
 
     problem.hierarchy().combine(Newmark::operator_coefficients(tau));
-    solver->start(rhs, w);
+    try
+      {
+        solver->start(rhs, w);
+      }
+    catch (const SingularMatrix &error)
+      {
+        result.failure = error.what();
+      }
     const bool nested =
       (time_parameters.rate_state_method == RateStateMethod::nested);
     while (!result.converged && result.failure.empty())
@@ -111,7 +131,7 @@ namespace StickSlip
           {
             rate = improve(rhs, w);
           }
-        catch (const SingularCoarseMatrix &error)
+        catch (const SingularMatrix &error)
           {
             result.failure = error.what();
             break;
@@ -154,6 +174,8 @@ namespace StickSlip
     if (!result.converged)
       return result;
 
+    if (!nested)
+      solver->finish(rhs, w);
     problem.to_nodal(to.velocity, w);
     Newmark::complete(to, from, tau);
     to.slip_rate = faults.tangential_jumps(w);

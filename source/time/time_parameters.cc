@@ -75,6 +75,19 @@ namespace StickSlip
                 {RateStateMethod::nested, "nested"}},
                "Whether the state is updated after each iteration of the rate "
                "solver (interleaved) or after each converged solve (nested).");
+    add_choice(prm,
+               "Rate solver",
+               rate_solver,
+               {{RateSolver::tnnmg, "TNNMG"},
+                {RateSolver::condensed_newton, "condensed Newton"}},
+               "How the rate problem is solved: on all of the bodies by "
+               "multigrid (TNNMG), which suits every scene; or on the unknowns "
+               "of the faults alone (condensed Newton), after a factorisation "
+               "of the bodies for each step size, which pays where few step "
+               "sizes occur and the faults have at most some hundred nodes. "
+               "The latter needs memory and time that grow with the square and "
+               "the cube of the number of fault unknowns, takes its tolerance "
+               "from the section TNNMG, and runs on one process only.");
     add_number(prm,
                "Rate-state tolerance",
                rate_state_tolerance,

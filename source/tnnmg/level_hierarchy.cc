@@ -91,6 +91,7 @@ namespace StickSlip
         level.inverse_diagonal.resize(level.matrix.n_rows() * dim * dim);
       }
     current_coefficients.clear();
+    versions.clear();
     find_strips();
   }
 
@@ -129,6 +130,8 @@ namespace StickSlip
     if (coefficients == current_coefficients)
       return;
     current_coefficients = coefficients;
+    if (versions.emplace(coefficients, last_version + 1).second)
+      ++last_version;
     for (Level &level : levels)
       {
         std::vector<const BlockMatrix<dim> *> terms;
@@ -381,6 +384,16 @@ namespace StickSlip
   LevelHierarchy<dim>::matrix() const
   {
     return levels.back().matrix;
+  }
+
+
+
+  template <int dim>
+  unsigned long
+  LevelHierarchy<dim>::operator_version() const
+  {
+    const auto version = versions.find(current_coefficients);
+    return version == versions.end() ? 0 : version->second;
   }
 
 

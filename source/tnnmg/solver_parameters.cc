@@ -28,6 +28,29 @@ namespace StickSlip
                "An unknown is left out of the linear correction where the "
                "curvature of the friction exceeds this times the diagonal of "
                "the matrix, without unit.");
+    add_choice(prm,
+               "Linear correction",
+               linear_correction,
+               {{LinearCorrectionType::multigrid, "multigrid"},
+                {LinearCorrectionType::umfpack, "UMFPACK"},
+                {LinearCorrectionType::mumps, "MUMPS"},
+                {LinearCorrectionType::amg, "AMG"},
+                {LinearCorrectionType::none, "none"}},
+               "How the linearised problem of an iteration is solved: by some "
+               "steps of conjugate gradients with the geometric multigrid "
+               "method (multigrid, recommended); exactly, by sparse "
+               "factorisation with UMFPACK or MUMPS, for small problems and "
+               "comparisons; by conjugate gradients with algebraic multigrid "
+               "(AMG), for comparisons; or not at all (none), which leaves the "
+               "nonlinear Gauss-Seidel method. UMFPACK, MUMPS and AMG run on "
+               "one process only.");
+    add_number(prm,
+               "AMG tolerance",
+               amg_tolerance,
+               NumberRange().above(0).below(1),
+               "The linear correction AMG ends when its residual, in the norm "
+               "of the preconditioner, is below this times the initial one, "
+               "without unit.");
     add_count(prm,
               "Cycles per correction",
               cycles_per_correction,

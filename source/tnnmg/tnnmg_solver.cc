@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/line_search.h>
 #include <stickslip/tnnmg/nonlinear_gauss_seidel.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
@@ -9,99 +12,21 @@
 
 namespace StickSlip
 {
-  namespace
-  {
-    template <int dim>
-    Tensor<1, dim>
-    block(const NodalVector &vector, const unsigned int node)
-    {
-      Tensor<1, dim> values;
-      for (unsigned int c = 0; c < dim; ++c)
-        values[c] = vector.local_element(node * dim + c);
-      return values;
-    }
-
-
-
-    /** phi(w) - phi(v) summed term by term, so that little cancels; over all
-     * processes. */
-    template <int dim>
-    double
-    increase(const NonsmoothFunctional<dim> &functional,
-             const NodalVector              &w,
-             const NodalVector              &v)
-    {
-      double                           sum   = 0;
-      const std::vector<unsigned int> &nodes = functional.nodes();
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        sum += functional.value(k, block<dim>(w, nodes[k])) -
-               functional.value(k, block<dim>(v, nodes[k]));
-      return Utilities::MPI::sum(sum, w.get_mpi_communicator());
-    }
-
-
-
-    /** The derivative of phi at w + t d in direction d, over all processes. */
-    template <int dim>
-    double
-    slope_of(const NonsmoothFunctional<dim> &functional,
-             const NodalVector              &w,
-             const NodalVector              &d,
-             const double                    t)
-    {
-      double                           sum   = 0;
-      const std::vector<unsigned int> &nodes = functional.nodes();
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        {
-          const Tensor<1, dim> direction = block<dim>(d, nodes[k]);
-          sum += functional.directional_derivative(
-            k, block<dim>(w, nodes[k]) + t * direction, direction);
-        }
-      return Utilities::MPI::sum(sum, w.get_mpi_communicator());
-    }
-  } // namespace
-
-
-
   template <int dim>
-  TNNMGSolver<dim>::TNNMGSolver(LevelHierarchy<dim>   &hierarchy,
-                                const TNNMGParameters &parameters)
-    : hierarchy(hierarchy)
-    , parameters(parameters)
+  TNNMGSolver<dim>::TNNMGSolver(LevelHierarchy<dim>            &hierarchy,
+                                const TNNMGParameters          &parameters,
+                                const std::vector<NodalVector> &near_null_space)
+    : NonsmoothSolver<dim>(parameters)
+    , hierarchy(hierarchy)
+    , linear_correction(
+        make_linear_correction(hierarchy, parameters, near_null_space))
     , residual(hierarchy.finest().nodes.make_vector())
     , previous(residual)
     , smoothed_residual(residual)
     , correction(residual)
     , A_correction(residual)
-    , cg_residual(residual)
-    , cg_direction(residual)
-    , cg_preconditioned(residual)
-  {
-    hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
-    hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);
-    hierarchy.set_coarse_solver(parameters.coarse_solver);
-  }
-
-
-
-  template <int dim>
-  SolveSummary
-  TNNMGSolver<dim>::solve(const NonsmoothFunctional<dim> &functional,
-                          const NodalVector              &b,
-                          NodalVector                    &w)
-  {
-    SolveSummary summary;
-    start(b, w);
-    while (!summary.converged &&
-           summary.iterations.size() < parameters.max_iterations)
-      {
-        summary.iterations.push_back(iterate(functional, b, w));
-        if (!std::isfinite(summary.iterations.back().correction_norm))
-          break;
-        summary.converged = has_converged(summary.iterations.back());
-      }
-    return summary;
-  }
+    , scratch(residual)
+  {}
 
 
 
@@ -120,24 +45,21 @@ namespace StickSlip
                             const NodalVector              &b,
                             NodalVector                    &w)
   {
-    IterationSummary                 summary;
-    const std::vector<unsigned int> &nodes = functional.nodes();
-    previous                               = w;
+    IterationSummary summary;
+    previous = w;
 
-    smooth(functional, b, w, summary);
+    if (this->parameters.nonlinear_smoothing)
+      smooth(functional, b, w, summary);
+    else
+      smoothed_residual = residual;
     summary.n_truncated = linearise(functional, w);
-    cg_residual         = smoothed_residual;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        const Tensor<1, dim> gradient =
-          functional.gradient(k, block<dim>(w, nodes[k]));
-        for (unsigned int c = 0; c < dim; ++c)
-          cg_residual.local_element(nodes[k] * dim + c) -= gradient[c];
-      }
-    active.apply(cg_residual);
-    summary.cycles = linear_correction(correction, cg_residual);
 
-    hierarchy.matrix().vmult(A_correction, correction);
+    NodalVector &rhs = scratch;
+    rhs              = smoothed_residual;
+    subtract_gradient(functional, w, rhs);
+    active.apply(rhs);
+    summary.cycles = linear_correction->solve(correction, A_correction, rhs);
+
     const double linear = correction * smoothed_residual;
     const double square = correction * A_correction;
     const auto   slope  = [&](const double t) {
@@ -151,7 +73,7 @@ namespace StickSlip
     // Not only for speed: zero times NaN would spoil the iterate.
     if (t > 0.)
       {
-        NodalVector &smoothed = cg_direction;
+        NodalVector &smoothed = scratch;
         smoothed              = w;
         w.add(t, correction);
         summary.correction_decrease =
@@ -167,9 +89,10 @@ namespace StickSlip
     summary.correction_norm = std::sqrt(std::abs(change * residual));
     residual                = smoothed_residual;
 
-    cg_residual = b;
-    cg_residual -= residual;
-    summary.iterate_norm = std::sqrt(std::abs(w * cg_residual));
+    NodalVector &A_w = scratch;
+    A_w              = b;
+    A_w -= residual;
+    summary.iterate_norm = std::sqrt(std::abs(w * A_w));
     return summary;
   }
 
@@ -215,86 +138,26 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  TNNMGSolver<dim>::has_converged(const IterationSummary &summary) const
-  {
-    return summary.relative_correction() <= parameters.tolerance;
-  }
-
-
-
-  template <int dim>
   unsigned int
   TNNMGSolver<dim>::linearise(const NonsmoothFunctional<dim> &functional,
                               const NodalVector              &w)
   {
-    const std::vector<unsigned int> &nodes = functional.nodes();
-    const NodeMask                  &fixed = hierarchy.finest().fixed;
-
-    active                   = fixed;
-    unsigned int n_truncated = 0;
-    hessians.assign(nodes.size(), Tensor<2, dim>());
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        const unsigned int   i        = nodes[k];
-        const Tensor<1, dim> v        = block<dim>(w, i);
-        const Tensor<2, dim> diagonal = hierarchy.matrix().diagonal_block(i);
-
-        bool smooth = functional.is_smooth(k, v);
-        if (smooth)
-          {
-            hessians[k] = functional.hessian(k, v);
-            for (unsigned int c = 0; c < dim; ++c)
-              // Written so that a NaN is not smooth.
-              if (!(hessians[k][c][c] <=
-                    parameters.truncation_factor * diagonal[c][c]))
-                smooth = false;
-          }
-        if (!smooth)
-          {
-            hessians[k] = 0.;
-            for (unsigned int c = 0; c < dim; ++c)
-              if (functional.acts_on(k, c) && fixed.is_active(i, c))
-                {
-                  active.mask(i, c);
-                  ++n_truncated;
-                }
-          }
-      }
-    hierarchy.linearise(hessians, active);
+    diagonal_blocks.clear();
+    for (const unsigned int i : functional.nodes())
+      diagonal_blocks.push_back(hierarchy.matrix().diagonal_block(i));
+    active                         = hierarchy.finest().fixed;
+    const unsigned int n_truncated = StickSlip::linearise(
+      functional, this->parameters, diagonal_blocks, w, hessians, active);
+    linear_correction->linearise(hessians, active);
     return Utilities::MPI::sum(n_truncated, w.get_mpi_communicator());
   }
 
 
 
   template <int dim>
-  unsigned int
-  TNNMGSolver<dim>::linear_correction(NodalVector &x, NodalVector &r)
-  {
-    x                   = 0.;
-    double       rz_old = 0.;
-    unsigned int cycles = 0;
-    while (cycles < parameters.cycles_per_correction)
-      {
-        hierarchy.v_cycle(cg_preconditioned, r);
-        ++cycles;
-        const double rz = r * cg_preconditioned;
-        if (!(rz > 0.))
-          break;
-        if (cycles == 1)
-          cg_direction = cg_preconditioned;
-        else
-          cg_direction.sadd(rz / rz_old, 1., cg_preconditioned);
-        hierarchy.vmult_linearised(A_correction, cg_direction);
-        const double curvature = cg_direction * A_correction;
-        if (!(curvature > 0.))
-          break;
-        x.add(rz / curvature, cg_direction);
-        r.add(-rz / curvature, A_correction);
-        rz_old = rz;
-      }
-    return cycles;
-  }
+  void
+  TNNMGSolver<dim>::finish(const NodalVector &, NodalVector &)
+  {}
 
 
 

@@ -20,6 +20,15 @@ namespace StickSlip
   template <int dim>
   void
   check_scene(const SceneParameters<dim> &scene);
+
+  /**
+   * Check that everything the scene asks for runs on as many processes. Throws
+   * InputError with one sentence if not.
+   */
+  template <int dim>
+  void
+  check_process_count(const SceneParameters<dim> &scene,
+                      const unsigned int          n_processes);
 } // namespace StickSlip
 
 #endif

@@ -7,7 +7,7 @@
 #include <stickslip/time/fault_nodes.h>
 #include <stickslip/time/newmark.h>
 #include <stickslip/time/time_parameters.h>
-#include <stickslip/tnnmg/tnnmg_solver.h>
+#include <stickslip/tnnmg/nonsmooth_solver.h>
 
 namespace StickSlip
 {
@@ -63,7 +63,7 @@ namespace StickSlip
   private:
     /** Solve the rate problem at the present state, or, where rate and state
      * are interleaved, improve its solution by one iteration. Throws
-     * SingularCoarseMatrix. */
+     * SingularMatrix. */
     SolveSummary
     improve(const NodalVector &rhs, NodalVector &w);
 
@@ -73,13 +73,13 @@ namespace StickSlip
                  const NodalVector      &w,
                  const double            tau) const;
 
-    SpatialProblem<dim>              &problem;
-    FaultNodes<dim>                  &faults;
-    const TimeParameters             &time_parameters;
-    const TNNMGParameters            &tnnmg_parameters;
-    std::unique_ptr<TNNMGSolver<dim>> solver;
-    StepCounts                        totals;
-    unsigned long                     steps = 0;
+    SpatialProblem<dim>                  &problem;
+    FaultNodes<dim>                      &faults;
+    const TimeParameters                 &time_parameters;
+    const TNNMGParameters                &tnnmg_parameters;
+    std::unique_ptr<NonsmoothSolver<dim>> solver;
+    StepCounts                            totals;
+    unsigned long                         steps = 0;
   };
 } // namespace StickSlip
 

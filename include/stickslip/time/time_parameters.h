@@ -38,6 +38,17 @@ namespace StickSlip
   };
 
   /**
+   * How the rate problem is solved.
+   */
+  enum class RateSolver
+  {
+    /** On all of the bodies, by truncated nonsmooth Newton multigrid. */
+    tnnmg,
+    /** Condensed to the faults, by Newton's method with dense matrices. */
+    condensed_newton
+  };
+
+  /**
    * Settings of the time stepping.
    */
   struct TimeParameters
@@ -67,6 +78,8 @@ namespace StickSlip
     StateUpdate state_update = StateUpdate::exponential;
 
     RateStateMethod rate_state_method = RateStateMethod::interleaved;
+
+    RateSolver rate_solver = RateSolver::tnnmg;
 
     /** The rate-state iteration ends when the state, L2(fault), changes less.
      */

@@ -6,20 +6,20 @@
 
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
+#include <stickslip/tnnmg/singular_matrix.h>
 
 #include <memory>
-#include <stdexcept>
 
 namespace StickSlip
 {
   /**
    * Thrown where the matrix of the coarsest level cannot be factorised.
    */
-  class SingularCoarseMatrix : public std::runtime_error
+  class SingularCoarseMatrix : public SingularMatrix
   {
   public:
     SingularCoarseMatrix()
-      : std::runtime_error("the matrix of the coarsest level is singular")
+      : SingularMatrix("the matrix of the coarsest level")
     {}
   };
 

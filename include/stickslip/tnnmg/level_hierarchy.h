@@ -7,6 +7,7 @@
 #include <stickslip/tnnmg/coarse_solver.h>
 #include <stickslip/tnnmg/level_description.h>
 
+#include <map>
 #include <vector>
 
 namespace StickSlip
@@ -69,6 +70,11 @@ namespace StickSlip
     /** The operator A on the finest level. */
     const BlockMatrix<dim> &
     matrix() const;
+
+    /** A number for the operator A: another one for other terms or
+     * coefficients, the same again where the coefficients return. */
+    unsigned long
+    operator_version() const;
 
     /** One of the terms on the finest level. */
     const BlockMatrix<dim> &
@@ -168,11 +174,14 @@ namespace StickSlip
     CoarseSolverType                   coarse_solver_type;
     std::unique_ptr<CoarseSolver<dim>> coarse_solver;
     std::vector<double>                current_coefficients;
-    std::vector<Tensor<2, dim>>        current_hessians, coarse_hessians;
-    double                             coarse_update_threshold = 0;
-    bool                               is_linearised           = false;
-    unsigned int                       sweeps                  = 1;
-    unsigned long                      cycle_count             = 0;
+    /** By the coefficients, for the present terms. */
+    std::map<std::vector<double>, unsigned long> versions;
+    unsigned long                                last_version = 0;
+    std::vector<Tensor<2, dim>> current_hessians, coarse_hessians;
+    double                      coarse_update_threshold = 0;
+    bool                        is_linearised           = false;
+    unsigned int                sweeps                  = 1;
+    unsigned long               cycle_count             = 0;
   };
 } // namespace StickSlip
 

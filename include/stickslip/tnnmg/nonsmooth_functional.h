@@ -58,8 +58,9 @@ namespace StickSlip
     gradient(const unsigned int k, const Tensor<1, dim> &v) const = 0;
 
     /**
-     * The second derivative at v, symmetric and positive semidefinite. Only
-     * asked for where is_smooth() is true.
+     * The second derivative at v, symmetric and positive semidefinite. Where
+     * is_smooth() is false, an element of the generalised second derivative,
+     * or numbers that are not finite if there is none.
      */
     virtual Tensor<2, dim>
     hessian(const unsigned int k, const Tensor<1, dim> &v) const = 0;

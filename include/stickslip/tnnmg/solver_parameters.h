@@ -13,6 +13,22 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * How the linearised problem of an iteration is solved.
+   */
+  enum class LinearCorrectionType
+  {
+    /** By some steps of CG, each with one V-cycle. */
+    multigrid,
+    /** Exactly, by sparse factorisation with UMFPACK or MUMPS. */
+    umfpack,
+    mumps,
+    /** By CG with cycles of smoothed aggregation. */
+    amg,
+    /** Not at all; what remains is nonlinear Gauss-Seidel. */
+    none
+  };
+
+  /**
    * Settings of the truncated nonsmooth Newton multigrid iteration.
    */
   struct TNNMGParameters
@@ -32,8 +48,15 @@ namespace StickSlip
      */
     double truncation_factor = 10.;
 
+    /** How the linearised problem is solved. */
+    LinearCorrectionType linear_correction = LinearCorrectionType::multigrid;
+
     /** Steps of CG, each with one V-cycle, in a linear correction. */
     unsigned int cycles_per_correction = 3;
+
+    /** Residual relative to the initial one, in the norm of the preconditioner,
+     * at which CG with algebraic multigrid ends. */
+    double amg_tolerance = 1e-2;
 
     /** Gauss-Seidel sweeps before and after each coarse grid correction. */
     unsigned int smoothing_sweeps = 1;
@@ -49,6 +72,17 @@ namespace StickSlip
 
     /** Print a line for every iteration. */
     bool print_iterations = false;
+
+    /**
+     * Whether an iteration begins with the nonlinear smoother. Without it the
+     * iteration is the semismooth Newton method with line search, for
+     * comparisons. Truncated components would then never move, so that only
+     * those are truncated at which the nonsmooth term has no second derivative
+     * at all, not even a one-sided one, as at the kink of Coulomb's friction;
+     * these keep their values, and the iteration may end short of the
+     * minimiser. No entry of parameter files.
+     */
+    bool nonlinear_smoothing = true;
 
     /** Declare the entries in the current subsection of @p prm. */
     void

@@ -4,27 +4,18 @@
 #ifndef stickslip_tnnmg_tnnmg_solver_h
 #define stickslip_tnnmg_tnnmg_solver_h
 
-#include <stickslip/tnnmg/iteration_summary.h>
-#include <stickslip/tnnmg/level_hierarchy.h>
-#include <stickslip/tnnmg/nonsmooth_functional.h>
-#include <stickslip/tnnmg/solver_parameters.h>
+#include <stickslip/tnnmg/linear_correction.h>
+#include <stickslip/tnnmg/nonsmooth_solver.h>
 
 namespace StickSlip
 {
   /**
-   * Truncated nonsmooth Newton multigrid (Graeser and Sander 2019) for the
-   * minimisation of
-   *
-   *   J(w) = 1/2 w . A w - b . w + phi(w)
-   *
-   * over the components of w that are not fixed, with A symmetric positive
-   * definite there and phi a convex functional that is a sum over nodes. One
+   * Truncated nonsmooth Newton multigrid (Graeser and Sander 2019). One
    * iteration is
    *
    *   1. a sweep of nonlinear Gauss-Seidel,
    *   2. truncation of the components at which phi is not smooth enough,
-   *   3. a correction for the linearisation on the rest, some steps of CG
-   *      preconditioned by a symmetric V-cycle,
+   *   3. a correction for the linearisation on the rest, see LinearCorrection,
    *   4. a line search.
    *
    * J decreases in every iteration, which makes the method converge from any
@@ -32,39 +23,29 @@ namespace StickSlip
    * the change by the sweep is shortened where J would increase.
    */
   template <int dim>
-  class TNNMGSolver
+  class TNNMGSolver : public NonsmoothSolver<dim>
   {
   public:
-    /** The hierarchy holds A, the fixed components and the transfers. */
-    TNNMGSolver(LevelHierarchy<dim>   &hierarchy,
-                const TNNMGParameters &parameters);
-
     /**
-     * Iterate from @p w until the correction is below the tolerance. The
-     * fixed components of w keep their values. The caller has to look at
-     * SolveSummary::converged.
+     * The hierarchy holds A, the fixed components and the transfers.
+     * @p near_null_space is of use to the linear correction AMG only: vectors
+     * like the unknowns, on which A is small, as the rigid motions.
      */
-    SolveSummary
-    solve(const NonsmoothFunctional<dim> &functional,
-          const NodalVector              &b,
-          NodalVector                    &w);
+    TNNMGSolver(LevelHierarchy<dim>            &hierarchy,
+                const TNNMGParameters          &parameters,
+                const std::vector<NodalVector> &near_null_space = {});
 
-    /**
-     * Announce a sequence of single iterations from @p w with right hand side
-     * @p b, between which the functional may change.
-     */
     void
-    start(const NodalVector &b, const NodalVector &w);
+    start(const NodalVector &b, const NodalVector &w) override;
 
-    /** One iteration. */
     IterationSummary
     iterate(const NonsmoothFunctional<dim> &functional,
             const NodalVector              &b,
-            NodalVector                    &w);
+            NodalVector                    &w) override;
 
-    /** Whether an iteration's correction is below the tolerance. */
-    bool
-    has_converged(const IterationSummary &summary) const;
+    /** Nothing is left to do. */
+    void
+    finish(const NodalVector &b, NodalVector &w) override;
 
   private:
     /** Step 1, from the iterate in previous; J does not increase. */
@@ -74,26 +55,19 @@ namespace StickSlip
            NodalVector                    &w,
            IterationSummary               &summary);
 
-    /** Truncate and linearise phi at @p w; returns the number of truncated
-     * components. */
+    /** Step 2 at @p w; returns the number of truncated components. */
     unsigned int
     linearise(const NonsmoothFunctional<dim> &functional, const NodalVector &w);
 
-    /** Approximate solution of the linearised problem; returns the number of
-     * cycles. */
-    unsigned int
-    linear_correction(NodalVector &correction, NodalVector &residual);
-
-    LevelHierarchy<dim>   &hierarchy;
-    const TNNMGParameters &parameters;
+    LevelHierarchy<dim>                   &hierarchy;
+    std::unique_ptr<LinearCorrection<dim>> linear_correction;
 
     /** b - A w of the current iterate. */
     NodalVector residual;
 
     NodeMask    active;
-    NodalVector previous, smoothed_residual, correction, A_correction,
-      cg_residual, cg_direction, cg_preconditioned;
-    std::vector<Tensor<2, dim>> hessians;
+    NodalVector previous, smoothed_residual, correction, A_correction, scratch;
+    std::vector<Tensor<2, dim>> hessians, diagonal_blocks;
   };
 } // namespace StickSlip
 

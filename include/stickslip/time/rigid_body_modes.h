@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_rigid_body_modes_h
+#define stickslip_time_rigid_body_modes_h
+
+#include <stickslip/time/spatial_problem.h>
+
+namespace StickSlip
+{
+  /**
+   * The rigid motions of all bodies together in the jump basis, for algebraic
+   * multigrid: dim translations, then one (d = 2) or three (d = 3) rotations.
+   * The jumps of a rigid motion are zero where the two sides of a fault match.
+   * Collective.
+   */
+  template <int dim>
+  std::vector<NodalVector>
+  rigid_body_modes(const SpatialProblem<dim> &problem);
+} // namespace StickSlip
+
+#endif

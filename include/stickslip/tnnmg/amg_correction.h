@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_amg_correction_h
+#define stickslip_tnnmg_amg_correction_h
+
+#include <stickslip/tnnmg/linear_correction.h>
+#include <stickslip/tnnmg/linearised_cg.h>
+#include <stickslip/tnnmg/trilinos_system.h>
+
+namespace ML_Epetra
+{
+  class MultiLevelPreconditioner;
+}
+
+namespace StickSlip
+{
+  /**
+   * Conjugate gradients to a given reduction of the residual, preconditioned
+   * by cycles of smoothed aggregation with ML of Trilinos. The aggregates are
+   * made anew where the components that take part have changed, or H by more
+   * than the coarse levels of multigrid tolerate. On one process.
+   */
+  template <int dim>
+  class AMGCorrection : public LinearCorrection<dim>
+  {
+  public:
+    /** Without a @p near_null_space it consists of the translations. */
+    AMGCorrection(LevelHierarchy<dim>            &hierarchy,
+                  const TNNMGParameters          &parameters,
+                  const std::vector<NodalVector> &near_null_space);
+
+    ~AMGCorrection() override;
+
+    void
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active) override;
+
+    /** Ends after 200 steps at the latest; what it has by then still is a
+     * direction of descent. */
+    unsigned int
+    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
+
+  private:
+    /** Whether the present cycles serve a linearisation. */
+    bool
+    is_close(const std::vector<Tensor<2, dim>> &new_hessians,
+             const NodeMask                    &new_active) const;
+
+    void
+    apply_cycle(NodalVector &x, const NodalVector &b);
+
+    LevelHierarchy<dim>   &hierarchy;
+    const TNNMGParameters &parameters;
+    /** Mode after mode, as ML wants them. */
+    std::vector<double>                                  null_space;
+    unsigned int                                         n_modes;
+    TrilinosSystem<dim>                                  system;
+    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycles;
+    BlockMatrix<dim>                                     linearised;
+
+    /** What the cycles are made for. */
+    unsigned long               version = 0;
+    NodeMask                    active;
+    std::vector<Tensor<2, dim>> hessians;
+    LinearisedCG<dim>           cg;
+  };
+} // namespace StickSlip
+
+#endif

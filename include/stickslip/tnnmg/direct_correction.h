@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_direct_correction_h
+#define stickslip_tnnmg_direct_correction_h
+
+#include <stickslip/tnnmg/linear_correction.h>
+#include <stickslip/tnnmg/sparse_factorisation.h>
+
+namespace StickSlip
+{
+  /**
+   * The exact solution by a sparse factorisation, which makes TNNMG what is
+   * commonly called a semismooth Newton method with a direct solver, globalised
+   * by the nonlinear smoother and the line search. On one process.
+   */
+  template <int dim>
+  class DirectCorrection : public LinearCorrection<dim>
+  {
+  public:
+    DirectCorrection(LevelHierarchy<dim>                      &hierarchy,
+                     std::unique_ptr<SparseFactorisation<dim>> factorisation);
+
+    void
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active) override;
+
+    unsigned int
+    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
+
+  private:
+    LevelHierarchy<dim>                      &hierarchy;
+    std::unique_ptr<SparseFactorisation<dim>> factorisation;
+    BlockMatrix<dim>                          linearised;
+
+    /** What the factors belong to, if there are any. */
+    bool                        is_factorised = false;
+    unsigned long               version       = 0;
+    std::vector<Tensor<2, dim>> hessians;
+    NodeMask                    active;
+  };
+} // namespace StickSlip
+
+#endif

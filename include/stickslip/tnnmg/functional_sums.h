@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_functional_sums_h
+#define stickslip_tnnmg_functional_sums_h
+
+#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/node_mask.h>
+#include <stickslip/tnnmg/nonsmooth_functional.h>
+#include <stickslip/tnnmg/solver_parameters.h>
+
+namespace StickSlip
+{
+  /*
+   * What solvers need of a nonsmooth functional as a whole. The functions with
+   * a vector of unknowns are collective unless they say otherwise.
+   */
+
+  /** The components of one node, given by its local index. Not collective. */
+  template <int dim>
+  inline Tensor<1, dim>
+  block(const NodalVector &vector, const unsigned int node)
+  {
+    Tensor<1, dim> values;
+    for (unsigned int c = 0; c < dim; ++c)
+      values[c] = vector.local_element(node * dim + c);
+    return values;
+  }
+
+  /** phi(w) - phi(v) summed term by term, so that little cancels; over all
+   * processes. */
+  template <int dim>
+  double
+  increase(const NonsmoothFunctional<dim> &functional,
+           const NodalVector              &w,
+           const NodalVector              &v);
+
+  /** The derivative of phi at w + t d in direction d, over all processes. */
+  template <int dim>
+  double
+  slope_of(const NonsmoothFunctional<dim> &functional,
+           const NodalVector              &w,
+           const NodalVector              &d,
+           const double                    t);
+
+  /** r -= the gradient of phi at w. Not collective. */
+  template <int dim>
+  void
+  subtract_gradient(const NonsmoothFunctional<dim> &functional,
+                    const NodalVector              &w,
+                    NodalVector                    &r);
+
+  /**
+   * The second derivative of phi at w, a block for each of its nodes, and the
+   * truncation. Components are truncated, that is masked in @p active, which
+   * holds those that are not fixed at first, where phi is not smooth or its
+   * second derivative exceeds parameters.truncation_factor times the
+   * diagonal of A, @p diagonal_blocks. Without nonlinear smoothing only
+   * those are truncated where there is no second derivative.
+   *
+   * Returns the number of truncated components of this process; not
+   * collective.
+   */
+  template <int dim>
+  unsigned int
+  linearise(const NonsmoothFunctional<dim>    &functional,
+            const TNNMGParameters             &parameters,
+            const std::vector<Tensor<2, dim>> &diagonal_blocks,
+            const NodalVector                 &w,
+            std::vector<Tensor<2, dim>>       &hessians,
+            NodeMask                          &active);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_linear_correction_h
+#define stickslip_tnnmg_linear_correction_h
+
+#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/tnnmg/solver_parameters.h>
+
+namespace StickSlip
+{
+  /**
+   * An exact or approximate solution x of the linearised problem
+   *
+   *   S (A + H) S x = S r,
+   *
+   * with the operator A of a hierarchy of levels, the second derivative H of a
+   * nonsmooth functional, block diagonal at the nonsmooth nodes, and S, which
+   * sets the components that do not take part to zero.
+   *
+   * All member functions are collective.
+   */
+  template <int dim>
+  class LinearCorrection
+  {
+  public:
+    virtual ~LinearCorrection() = default;
+
+    /**
+     * Set H, one block for each nonsmooth node of the finest level, and the
+     * components that take part, of owned nodes (none of the fixed ones).
+     * Throws SingularMatrix; A is as before then.
+     */
+    virtual void
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active) = 0;
+
+    /**
+     * Find @p x and its product @p A_x with A alone, in all components of the
+     * owned nodes. @p r holds S r at first and is work space after that.
+     * Returns the multigrid cycles, applications of a preconditioner or direct
+     * solves spent.
+     */
+    virtual unsigned int
+    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) = 0;
+  };
+
+  /**
+   * As the parameters ask for it; they and the hierarchy must live longer than
+   * the result. @p near_null_space: see TNNMGSolver. Throws where this
+   * correction does not run on as many processes.
+   */
+  template <int dim>
+  std::unique_ptr<LinearCorrection<dim>>
+  make_linear_correction(LevelHierarchy<dim>            &hierarchy,
+                         const TNNMGParameters          &parameters,
+                         const std::vector<NodalVector> &near_null_space = {});
+
+  /** Whether a correction runs on one process only. */
+  bool
+  is_serial(const LinearCorrectionType type);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_tnnmg_multigrid_correction_h
+#define stickslip_tnnmg_multigrid_correction_h
+
+#include <stickslip/tnnmg/linear_correction.h>
+#include <stickslip/tnnmg/linearised_cg.h>
+
+namespace StickSlip
+{
+  /**
+   * Some steps of conjugate gradients from zero, each preconditioned by one
+   * symmetric V-cycle of the hierarchy.
+   */
+  template <int dim>
+  class MultigridCorrection : public LinearCorrection<dim>
+  {
+  public:
+    MultigridCorrection(LevelHierarchy<dim>   &hierarchy,
+                        const TNNMGParameters &parameters);
+
+    void
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active) override;
+
+    unsigned int
+    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
+
+  private:
+    LevelHierarchy<dim>   &hierarchy;
+    const TNNMGParameters &parameters;
+    LinearisedCG<dim>      cg;
+  };
+} // namespace StickSlip
+
+#endif
