@@ -72,9 +72,9 @@ namespace
                                                   n_in_tension));
       w                         = problem.make_vector();
       if (task.without_smoother)
-        omit_nonlinear_smoothing(this->scene.tnnmg, 0);
+        this->scene.tnnmg.nonlinear_smoothing = false;
       if (task.gauss_seidel)
-        omit_linear_correction(this->scene.tnnmg, 0);
+        this->scene.tnnmg.linear_correction = LinearCorrectionType::none;
     }
 
     /** All step sizes for all states. */
@@ -108,7 +108,7 @@ namespace
     {
       LevelHierarchy<dim> &hierarchy    = problem.hierarchy();
       const double         bytes_before = allocated_bytes();
-      const auto           solver       = make_rate_solver(hierarchy, scene);
+      const auto           solver       = make_rate_solver(problem, scene);
       operator_time = solve_time = std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < task.repetitions; ++i)
         {

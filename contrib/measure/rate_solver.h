@@ -5,59 +5,29 @@
 #define stickslip_contrib_rate_solver_h
 
 #include <stickslip/simulation/scene_parameters.h>
+#include <stickslip/time/rigid_body_modes.h>
+#include <stickslip/tnnmg/condensed_solver.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <memory>
-
-#include "measurement.h"
 
 namespace Measure
 {
   using namespace StickSlip;
 
-  /*
-   * Settings of the solver that parameter files do not have. Each pair of
-   * functions also compiles where the solver does not know the setting.
-   */
-
-  template <typename Parameters>
-  auto
-  omit_nonlinear_smoothing(Parameters &parameters, int)
-    -> decltype(void(parameters.nonlinear_smoothing))
-  {
-    parameters.nonlinear_smoothing = false;
-  }
-
-  template <typename Parameters>
-  void
-  omit_nonlinear_smoothing(Parameters &, long)
-  {
-    AssertThrow(false, ExcMessage("The smoother cannot be left out."));
-  }
-
-  template <typename Parameters>
-  auto
-  omit_linear_correction(Parameters &parameters, int)
-    -> decltype(void(decltype(parameters.linear_correction)::none))
-  {
-    parameters.linear_correction = decltype(parameters.linear_correction)::none;
-  }
-
-  template <typename Parameters>
-  void
-  omit_linear_correction(Parameters &, long)
-  {
-    AssertThrow(false, ExcMessage("The correction cannot be left out."));
-  }
-
-
-
-  /** The solver of rate problems that the scene asks for. */
+  /** The solver of rate problems that the scene asks for, as in a time step. */
   template <int dim>
-  std::unique_ptr<TNNMGSolver<dim>>
-  make_rate_solver(LevelHierarchy<dim>        &hierarchy,
+  std::unique_ptr<NonsmoothSolver<dim>>
+  make_rate_solver(SpatialProblem<dim>        &problem,
                    const SceneParameters<dim> &scene)
   {
+    LevelHierarchy<dim> &hierarchy = problem.hierarchy();
+    if (scene.time.rate_solver == RateSolver::condensed_newton)
+      return std::make_unique<CondensedSolver<dim>>(hierarchy, scene.tnnmg);
+    if (scene.tnnmg.linear_correction == LinearCorrectionType::amg)
+      return std::make_unique<TNNMGSolver<dim>>(hierarchy,
+                                                scene.tnnmg,
+                                                rigid_body_modes(problem));
     return std::make_unique<TNNMGSolver<dim>>(hierarchy, scene.tnnmg);
   }
 } // namespace Measure
