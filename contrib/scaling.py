@@ -95,6 +95,8 @@ def measure(problem, n_processes):
         command, cwd=PROJECT, check=True, stdout=subprocess.PIPE, text=True
     ).stdout
     (row,) = csv.DictReader(output.splitlines())
+    if row["converged"] != "1":
+        sys.exit(f"{problem.name} on {n_processes}: no convergence")
     return {"problem": problem.name} | row
 
 

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Write what was measured into doc/performance.md and doc/data."""
+
+import csv
+
+from .programs import COLUMNS, PROJECT
+
+PAGE = PROJECT / "doc/performance.md"
+DATA = PROJECT / "doc/data/performance.csv"
+
+
+def marks(section):
+    return f"<!-- {section}, by contrib/benchmark -->", f"<!-- end of {section} -->"
+
+
+def replace_section(section, text):
+    """Put a text between the marks of a section."""
+    begin, end = marks(section)
+    page = PAGE.read_text()
+    before, rest = page.split(begin)
+    _, after = rest.split(end)
+    PAGE.write_text(before + begin + "\n\n" + text.strip() + "\n\n" + end + after)
+
+
+def read_records():
+    if not DATA.is_file():
+        return []
+    with open(DATA, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def rounded(value):
+    try:
+        return f"{float(value):.6g}"
+    except (TypeError, ValueError):
+        return value
+
+
+def write_records(records):
+    DATA.parent.mkdir(exist_ok=True)
+    with open(DATA, "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        for record in records:
+            writer.writerow({c: rounded(record.get(c, "")) for c in COLUMNS})
+
+
+def table(titles, rows):
+    """A table in Markdown."""
+    lines = ["| " + " | ".join(titles) + " |", "|---" * len(titles) + "|"]
+    lines += ["| " + " | ".join(map(str, row)) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def number(value, digits=2):
+    """A number as it stands in a table, a dash if there is none."""
+    try:
+        value = float(value)
+    except (TypeError, ValueError):
+        return "–"
+    if value == 0 or 1e-3 <= abs(value) < 1e5:
+        size = f"{value:.{digits}g}" if abs(value) < 10**digits else f"{value:.0f}"
+        return f"{float(size):g}" if "e" in size else size
+    return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
+
+
+def thousands(value):
+    return f"{int(float(value)):,}"

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Start the measuring programs and keep what they print."""
+
+import csv
+import os
+import pathlib
+import subprocess
+import tempfile
+
+PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
+COLUMNS = (
+    "section problem state dim bodies unknowns tau solver iterations cycles "
+    "setup_s solve_s bytes_per_unknown error note"
+).split()
+
+
+class Failed(Exception):
+    """A measurement that did not come to its end, with the reason in short."""
+
+
+def run(program, arguments, timeout):
+    """The rows that a program prints, as dictionaries."""
+    command = [str(PROJECT / "build" / program), *map(str, arguments)]
+    try:
+        result = subprocess.run(
+            command,
+            cwd=PROJECT,
+            timeout=timeout,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+    except subprocess.TimeoutExpired:
+        raise Failed(f"more than {timeout:.0f} s") from None
+    if result.returncode != 0:
+        lines = [line.strip() for line in result.stderr.splitlines() if line.strip()]
+        begin = f"{program}: "
+        reason = next((line for line in lines if line.startswith(begin)), "")
+        reason = reason.removeprefix(begin) or f"exit status {result.returncode}"
+        raise Failed(f"failed: {reason}")
+    return list(csv.DictReader(result.stdout.splitlines()))
+
+
+def scene_arguments(mesh, extra=None):
+    arguments = [mesh.scene]
+    for entry, value in (mesh.settings() | (extra or {})).items():
+        arguments += ["--set", f"{entry}={value}"]
+    return arguments
+
+
+def rate_rows(mesh, states, taus, options=(), extra=None, timeout=300):
+    """The measured rate problems, one for each state and step size."""
+    arguments = scene_arguments(mesh, extra) + ["--taus", ",".join(taus), *options]
+    for name, expression in states.items():
+        arguments += ["--state", f"{name}:{expression}"]
+    return run("rate_problem", arguments, timeout)
+
+
+def linear_rows(mesh, tau, solvers, repetitions=3, options=(), timeout=300):
+    extra = {"Time/Initial step": tau}
+    options = [
+        *("--solvers", ",".join(solvers), "--repetitions", repetitions), *options
+    ]
+    return run("linear_problem", scene_arguments(mesh, extra) + options, timeout)
+
+
+def rate_record(section, mesh, solver, row):
+    """A row of rate_problem in the columns of the table of all results."""
+    return {
+        "section": section,
+        "problem": mesh.name,
+        "state": row["state"],
+        "dim": mesh.dim,
+        "bodies": mesh.bodies,
+        "unknowns": row["unknowns"],
+        "tau": row["tau"],
+        "solver": solver,
+        "iterations": row["tnnmg_iterations"],
+        "cycles": row["cycles"],
+        "setup_s": sum(
+            float(row[part])
+            for part in ("meshes_s", "matrices_and_contact_s", "operator_s")
+        ),
+        "solve_s": row["solve_s"],
+        "bytes_per_unknown": row["bytes_per_unknown"],
+        "error": row["error"],
+        "note": "" if row["converged"] == "1" else "not converged",
+    }
+
+
+def linear_record(section, mesh, row):
+    return {
+        "section": section,
+        "problem": mesh.name,
+        "state": "welded",
+        "dim": mesh.dim,
+        "bodies": mesh.bodies,
+        "unknowns": row["unknowns"],
+        "tau": row["tau"],
+        "solver": row["solver"],
+        "iterations": row["iterations"],
+        "cycles": row["cycles"],
+        "setup_s": sum(
+            float(row[part])
+            for part in ("meshes_s", "assembly_s", "preconditioner_s")
+        ),
+        "solve_s": row["solve_s"],
+        "bytes_per_unknown": row["bytes_per_unknown"],
+        "error": row.get("error", ""),
+        "note": "",
+    }
+
+
+def failed_record(section, mesh, solver, state, tau, reason):
+    """What is kept of a measurement that failed."""
+    record = dict.fromkeys(COLUMNS, "")
+    record.update(
+        section=section,
+        problem=mesh.name,
+        state=state,
+        dim=mesh.dim,
+        bodies=mesh.bodies,
+        tau=f"{float(tau):g}",
+        solver=solver,
+        note=str(reason),
+    )
+    return record
+
+
+def key(record):
+    """What is measured, whatever came out."""
+    names = ("section", "problem", "state", "tau", "solver")
+    return tuple(
+        float(record[n]) if n == "tau" else record[n] for n in names
+    )
+
+
+def keep_shortest(records, record):
+    """Of repeated measurements the shortest times stay."""
+    other = records.setdefault(key(record), record)
+    if not other["solve_s"]:
+        records[key(record)] = record
+        return
+    for part in ("setup_s", "solve_s"):
+        other[part] = min(float(other[part]), float(record[part]))
+
+
+def machine():
+    model = next(
+        line.split(":", 1)[1].strip()
+        for line in open("/proc/cpuinfo")
+        if line.startswith("model name")
+    )
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    cores = len(os.sched_getaffinity(0))
+    return f"{model}, {cores} cores, {memory:.0f} GiB"
+
+
+def temporary_folder():
+    return tempfile.TemporaryDirectory(prefix="stickslip-benchmark-")

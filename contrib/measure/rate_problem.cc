@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+/*
+ * rate_problem FILE.prm [--set ENTRY=VALUE]... [--repetitions N]
+ *              [--state NAME:EXPRESSION]... [--taus SIZES]
+ *              [--without-smoother] [--gauss-seidel] [--costs]
+ *
+ * Measures one rate problem of a scene: that of its first time step, of size
+ * Time/Initial step, at the initial state of the faults, from the static
+ * equilibrium; or several, one for each given initial state of all faults and
+ * each of the given step sizes, separated by commas. Prints a line of
+ * comma-separated values for each under a header. Times are those of the
+ * slowest process, in s; those of set-up of the operator and of the solution
+ * are the shortest of several repetitions.
+ *
+ * The error is that in the energy norm against TNNMG's solution with tolerance
+ * 1e-13, relative to that. Bytes are what is allocated for matrices and solver,
+ * without the meshes. --without-smoother leaves out the nonlinear smoother,
+ * --gauss-seidel everything else. --costs measures what changes of the operator
+ * take. The column converged tells whether the iteration has; there is no error
+ * exit if not.
+ */
+
+#include <stickslip/simulation/command_line.h>
+#include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/time/newmark.h>
+
+#include "coupled_problem.h"
+#include "linearisation_cost.h"
+#include "rate_solver.h"
+
+namespace
+{
+  using namespace Measure;
+
+  struct Task
+  {
+    unsigned int repetitions      = 3;
+    bool         without_smoother = false;
+    bool         gauss_seidel     = false;
+    bool         costs            = false;
+
+    std::vector<double>                              taus;
+    std::vector<std::pair<std::string, std::string>> states;
+  };
+
+
+
+  template <int dim>
+  class RateProblem
+  {
+  public:
+    RateProblem(const SceneParameters<dim> &scene, const Task &task)
+      : scene(scene)
+      , task(task)
+      , coupled(scene)
+      , problem(*coupled.problem)
+    {
+      contact_time =
+        seconds([&]() { problem.build_contact(problem.make_nodal_vector()); });
+      equilibrium_time =
+        seconds([&]() { equilibrium = solve_initial_equilibrium(problem); });
+      unsigned int n_in_tension = 0;
+      faults                    = FaultNodes<dim>(problem.jump_basis(),
+                               problem.hierarchy().finest().nodes,
+                               make_fault_laws(scene),
+                               make_normal_stress(scene,
+                                                  problem.jump_basis(),
+                                                  equilibrium,
+                                                  n_in_tension));
+      w                         = problem.make_vector();
+      if (task.without_smoother)
+        this->scene.tnnmg.nonlinear_smoothing = false;
+      if (task.gauss_seidel)
+        this->scene.tnnmg.linear_correction = LinearCorrectionType::none;
+    }
+
+    /** All step sizes for all states. */
+    void
+    run()
+    {
+      for (const auto &state : task.states)
+        {
+          for (FaultParameters &fault : scene.faults)
+            if (!state.second.empty())
+              fault.initial_state = state.second;
+          const SystemState<dim> initial =
+            make_initial_state(scene, problem.jump_basis(), equilibrium);
+          faults.set_state(initial.alpha);
+          for (const double size : task.taus)
+            {
+              tau = size;
+              rhs = Newmark::right_hand_side(problem, initial, tau);
+              solve();
+              compare();
+              add_row(state.first);
+            }
+        }
+      table.print();
+    }
+
+  private:
+    /** Solve from zero some times. */
+    void
+    solve()
+    {
+      LevelHierarchy<dim> &hierarchy    = problem.hierarchy();
+      const double         bytes_before = allocated_bytes();
+      const auto           solver       = make_rate_solver(problem, scene);
+      operator_time = solve_time = std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < task.repetitions; ++i)
+        {
+          hierarchy.combine(Newmark::operator_coefficients(2. * tau));
+          operator_time =
+            std::min(operator_time, seconds([&]() {
+                       hierarchy.combine(Newmark::operator_coefficients(tau));
+                     }));
+          w          = 0.;
+          solve_time = std::min(solve_time, seconds([&]() {
+                                  summary =
+                                    solver->solve(faults.friction(), rhs, w);
+                                }));
+        }
+      solver_bytes = allocated_bytes() - bytes_before;
+    }
+
+    /** Compare with a better solution. */
+    void
+    compare()
+    {
+      TNNMGParameters parameters = SceneParameters<dim>().tnnmg;
+      parameters.tolerance       = 1e-13;
+      parameters.max_iterations  = 200;
+      TNNMGSolver<dim> solver(problem.hierarchy(), parameters);
+      NodalVector      reference = w;
+      // Rounding may leave it slightly above such a tolerance.
+      solver.solve(faults.friction(), rhs, reference);
+      NodalVector difference = reference, product = reference;
+      const auto  energy = [&](const NodalVector &vector) {
+        problem.hierarchy().matrix().vmult(product, vector);
+        return std::sqrt(std::abs(vector * product));
+      };
+      difference -= w;
+      error = energy(difference) / energy(reference);
+    }
+
+    void
+    add_row(const std::string &state)
+    {
+      double slowest = std::numeric_limits<double>::max(), fastest = 0;
+      for (const auto &rate : faults.tangential_jumps(w))
+        {
+          slowest = std::min(slowest, rate.norm());
+          fastest = std::max(fastest, rate.norm());
+        }
+      const NodePartition &nodes = problem.hierarchy().finest().nodes;
+      const double         n_own = double(nodes.n_owned()) * dim;
+      table.add("processes", Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+      table.add("unknowns", coupled.n_unknowns());
+      table.add("bodies", scene.bodies.size());
+      table.add("state", state);
+      table.add("tau", tau);
+      table.add("levels", coupled.meshes->n_levels());
+      table.add("fault_nodes", faults.size());
+      table.add("largest_share",
+                double(Utilities::MPI::max(nodes.n_owned(), MPI_COMM_WORLD)) /
+                  nodes.n_global());
+      table.add("slowest_node", slowest);
+      table.add("fastest_node", fastest);
+      table.add("converged", summary.converged);
+      table.add("tnnmg_iterations", summary.iterations.size());
+      table.add("cycles", summary.n_cycles());
+      table.add("error", error);
+      table.add("meshes_s", coupled.meshes_time);
+      table.add("matrices_and_contact_s", coupled.problem_time);
+      table.add("contact_s", contact_time);
+      table.add("equilibrium_iterations", equilibrium.iterations);
+      table.add("equilibrium_s", equilibrium_time);
+      table.add("operator_s", operator_time);
+      table.add("solve_s", solve_time);
+      table.add("start_MiB", memory_at_start);
+      table.add("meshes_MiB", coupled.memory_of_meshes);
+      table.add("largest_MiB", largest_resident_size());
+      table.add("hierarchy_MiB",
+                Utilities::MPI::max(problem.hierarchy().memory_consumption() /
+                                      1048576.,
+                                    MPI_COMM_WORLD));
+      table.add("bytes_per_unknown",
+                (coupled.problem_bytes + solver_bytes) / n_own);
+      if (task.costs)
+        add_costs();
+      table.end_row();
+    }
+
+    void
+    add_costs()
+    {
+      const double            assembly = coupled.assembly_time(scene.gravity);
+      const LinearisationCost cost =
+        measure_linearisation(problem.hierarchy(),
+                              Newmark::operator_coefficients(tau));
+      table.add("assembly_s", assembly);
+      table.add("v_cycle_s", cost.v_cycle);
+      table.add("new_tau_s", cost.new_coefficients);
+      table.add("new_hessian_s", cost.new_hessians);
+      table.add("new_truncation_s", cost.new_truncation);
+      table.add("new_tau_cycles", cost.new_coefficients / cost.v_cycle);
+      table.add("new_hessian_cycles", cost.new_hessians / cost.v_cycle);
+      table.add("new_truncation_cycles", cost.new_truncation / cost.v_cycle);
+      table.add("contact_assemblies", contact_time / assembly);
+    }
+
+    SceneParameters<dim>    scene;
+    const Task              task;
+    const double            memory_at_start = largest_resident_size();
+    CoupledProblem<dim>     coupled;
+    SpatialProblem<dim>    &problem;
+    InitialEquilibrium<dim> equilibrium;
+    FaultNodes<dim>         faults;
+    double                  contact_time = 0, equilibrium_time = 0;
+
+    /** Of the present case. */
+    double       tau = 0;
+    NodalVector  rhs, w;
+    SolveSummary summary;
+    double       error = 0, solver_bytes = 0, operator_time = 0, solve_time = 0;
+
+    ResultTable table;
+  };
+
+
+
+  template <int dim>
+  void
+  measure(const SceneParameters<dim> &scene, Task task)
+  {
+    if (task.taus.empty())
+      task.taus.push_back(scene.time.initial_step);
+    if (task.states.empty())
+      task.states.emplace_back("scene", "");
+    RateProblem<dim>(scene, task).run();
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+    {
+      Options options(argc, argv);
+      Task    task;
+      task.repetitions =
+        Utilities::string_to_int(options.take_value("--repetitions", "3"));
+      task.without_smoother = options.take("--without-smoother");
+      task.gauss_seidel     = options.take("--gauss-seidel");
+      task.costs            = options.take("--costs");
+      task.taus             = Utilities::string_to_double(
+        Utilities::split_string_list(options.take_value("--taus", "")));
+      for (std::string state = options.take_value("--state", "");
+           !state.empty();
+           state = options.take_value("--state", ""))
+        {
+          const auto colon = state.find(':');
+          task.states.emplace_back(state.substr(0, colon),
+                                   state.substr(colon + 1));
+        }
+      const CommandLine arguments = parse_command_line(options.rest());
+      const SceneReader reader(arguments.parameter_file, arguments.overrides);
+      if (reader.dimension() == 2)
+        measure(reader.read<2>(), task);
+      else
+        measure(reader.read<3>(), task);
+    }
+  catch (const dealii::ExceptionBase &error)
+    {
+      std::cerr << "rate_problem: ";
+      error.print_info(std::cerr);
+      MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "rate_problem: " << error.what() << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+}
