@@ -164,6 +164,8 @@ namespace StickSlip
       }
     DataOutBase::VtkFlags flags;
     flags.time = time;
+    // A tenth larger than by the best compression, in a small part of its time.
+    flags.compression_level = decltype(flags.compression_level)::best_speed;
     all.set_flags(flags);
 
     const std::string name =

@@ -3,6 +3,7 @@
 
 #include <stickslip/tnnmg/iteration_summary.h>
 
+#include <algorithm>
 #include <iomanip>
 
 namespace StickSlip
@@ -19,11 +20,13 @@ namespace StickSlip
   double
   IterationSummary::relative_error(const IterationSummary *before) const
   {
-    constexpr double fast = 0.1;
+    constexpr double small = 0.1, fast = 0.1, fastest = 1e-3;
     // Written so that a NaN and zero over zero make no difference.
-    if (before && correction_norm < fast * before->correction_norm)
+    if (before && before->relative_correction() < small &&
+        correction_norm < fast * before->correction_norm)
       {
-        const double q = correction_norm / before->correction_norm;
+        const double q =
+          std::max(correction_norm / before->correction_norm, fastest);
         return q / (1. - q) * relative_correction();
       }
     return relative_correction();

@@ -44,9 +44,10 @@ namespace StickSlip
     /**
      * Estimate of the error that is left, relative to the iterate, in the
      * energy norm: what a sequence of corrections that go on to shrink by the
-     * factor q of the last two adds up to, q / (1 - q) times the last one,
-     * where q < 0.1; the size of the last correction where q is not that
-     * small, or where there is no iteration @p before this.
+     * factor q of the last two adds up to, q / (1 - q) times the last one. That
+     * is trusted where q < 0.1 and the correction @p before this was below a
+     * tenth of the iterate, for q not below 1e-3; elsewhere, and without a
+     * correction before, it is the size of this one.
      */
     double
     relative_error(const IterationSummary *before) const;

@@ -52,7 +52,7 @@ namespace StickSlip
     LinearCorrectionType linear_correction = LinearCorrectionType::multigrid;
 
     /** Steps of CG, each with one V-cycle, in a linear correction. */
-    unsigned int cycles_per_correction = 3;
+    unsigned int cycles_per_correction = 2;
 
     /** Residual relative to the initial one, in the norm of the preconditioner,
      * at which CG with algebraic multigrid ends. */
