@@ -65,16 +65,26 @@ namespace
       scene.problem.build_contact(displacement);
     }
 
+    // The operators of all levels, without friction.
+    static void
+    combine(SpatialScene<dim> &scene)
+    {
+      LevelHierarchy<dim> &hierarchy = scene.problem.hierarchy();
+      hierarchy.set_cycle_precision(CyclePrecision::double_precision);
+      hierarchy.combine({200., 1., 5e-3});
+      hierarchy.linearise(std::vector<Tensor<2, dim>>(
+                            hierarchy.finest().nonsmooth_nodes.size()),
+                          hierarchy.finest().fixed);
+    }
+
     // Curvature and truncation that depend on the place along the fault.
     static void
     linearise(SpatialScene<dim> &scene)
     {
       LevelHierarchy<dim>         &hierarchy = scene.problem.hierarchy();
       const LevelDescription<dim> &finest    = hierarchy.finest();
-      hierarchy.set_cycle_precision(CyclePrecision::double_precision);
-      hierarchy.combine({200., 1., 5e-3});
-      NodeMask                    active = finest.fixed;
-      std::vector<Tensor<2, dim>> hessians(finest.nonsmooth_nodes.size());
+      NodeMask                     active    = finest.fixed;
+      std::vector<Tensor<2, dim>>  hessians(finest.nonsmooth_nodes.size());
       for (const FaultContact<dim> &fault : scene.problem.jump_basis().faults())
         for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
           if (finest.nodes.owned().is_element(fault.slave_nodes[k]))
@@ -141,8 +151,8 @@ namespace
                            pair.alone.problem.load(3.),
                            numbers),
                 1e-12);
-      pair.shared.problem.hierarchy().combine({200., 1., 5e-3});
-      pair.alone.problem.hierarchy().combine({200., 1., 5e-3});
+      Pair<dim>::combine(pair.shared);
+      Pair<dim>::combine(pair.alone);
       pair.expect_equal_matrices();
       Pair<dim>::linearise(pair.shared);
       Pair<dim>::linearise(pair.alone);

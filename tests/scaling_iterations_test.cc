@@ -48,6 +48,7 @@ namespace
             const SolveSummary summary =
               solver.solve(*friction.functional, rhs, w);
             EXPECT_TRUE(summary.converged);
+            EXPECT_LE(summary.n_cycles(), 30u);
             result.push_back(summary.iterations.size());
           }
       }
@@ -68,7 +69,6 @@ TEST(ScalingIterations, HardlyDependOnTheNumberOfProcesses)
   for (unsigned int k = 0; k < ours.size(); ++k)
     {
       EXPECT_LE(ours[k], alone[k] + 2) << "problem " << k;
-      EXPECT_LE(alone[k], 12u) << "problem " << k;
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         std::cout << "problem " << k << ": " << ours[k] << " iterations on "
                   << n_processes() << " processes, " << alone[k] << " on one\n";

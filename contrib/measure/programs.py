@@ -10,8 +10,8 @@ import tempfile
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
 COLUMNS = (
-    "section problem state dim bodies unknowns tau solver iterations cycles "
-    "setup_s solve_s bytes_per_unknown error note"
+    "problem state dim bodies unknowns tau solver iterations cycles "
+    "setup_s solve_s bytes_per_unknown error section note"
 ).split()
 
 

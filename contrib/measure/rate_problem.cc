@@ -58,8 +58,15 @@ namespace
       , coupled(scene)
       , problem(*coupled.problem)
     {
-      contact_time =
-        seconds([&]() { problem.build_contact(problem.make_nodal_vector()); });
+      contact_time = seconds([&]() {
+        problem.build_contact(problem.make_nodal_vector());
+        // The operators of the levels are made when they are needed.
+        problem.hierarchy().combine(Newmark::operator_coefficients(1.));
+        const LevelDescription<dim> &finest = problem.hierarchy().finest();
+        problem.hierarchy().linearise(std::vector<Tensor<2, dim>>(
+                                        finest.nonsmooth_nodes.size()),
+                                      finest.fixed);
+      });
       equilibrium_time =
         seconds([&]() { equilibrium = solve_initial_equilibrium(problem); });
       unsigned int n_in_tension = 0;

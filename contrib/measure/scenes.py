@@ -24,6 +24,7 @@ TRACTION = {
     "Boundary conditions/upper top/Ramp length": "0",
     "Time/Initial step": "1e-3",
     "Time/Largest step": "1",
+    "TNNMG/Tolerance": "1e-8",
 }
 
 
@@ -192,6 +193,9 @@ def layered_scene(n_bodies, unknowns, folder):
         "end",
         "subsection Output",
         "  set Event start slip rate = 1e-4",
+        "end",
+        "subsection TNNMG",
+        "  set Tolerance = 1e-8",
         "end",
         "",
     ]

@@ -278,33 +278,46 @@ namespace StickSlip
     const BlockSparsity   &A  = fine.sparsity();
 
     // The row P_I^T A over fine columns ...
-    row_columns.clear();
+    unsigned int n_fine_columns = 0;
+    for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
+      n_fine_columns +=
+        A.row_start[Pt.column[k] + 1] - A.row_start[Pt.column[k]];
+    if (row_values.size() < std::size_t(n_fine_columns) * n)
+      {
+        row_values.resize(std::size_t(n_fine_columns) * n);
+        row_columns.resize(n_fine_columns);
+      }
+    unsigned int *columns  = row_columns.data();
+    int          *position = row_position.data();
+    double       *sums     = row_values.data();
+    n_fine_columns         = 0;
     for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
       {
         const unsigned int i = Pt.column[k];
-        double             weight[dim];
+        double             weight[n];
         for (unsigned int c = 0; c < dim; ++c)
-          weight[c] = fine_mask.is_active(i, c) ? Pt.value[k] : 0.;
-        for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
+          for (unsigned int d = 0; d < dim; ++d)
+            weight[c * dim + d] = fine_mask.is_active(i, c) ? Pt.value[k] : 0.;
+        const FineNumber *block = fine.block(A.row_start[i]);
+        for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1];
+             ++m, block += n)
           {
-            const FineNumber  *block = fine.block(m);
-            const unsigned int j     = A.column[m];
-            const bool         first = (row_position[j] < 0);
-            if (first)
+            const unsigned int j = A.column[m];
+            if (position[j] < 0)
               {
-                row_position[j] = row_columns.size();
-                row_columns.push_back(j);
-                if (row_values.size() < row_columns.size() * n)
-                  row_values.resize(2 * row_columns.size() * n);
+                double *sum = sums + std::size_t(n_fine_columns) * n;
+                position[j] = n_fine_columns;
+                columns[n_fine_columns] = j;
+                ++n_fine_columns;
+                for (unsigned int c = 0; c < n; ++c)
+                  sum[c] = weight[c] * block[c];
               }
-            double *sum = &row_values[row_position[j] * n];
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  const double product = weight[c] * block[c * dim + d];
-                  sum[c * dim + d] =
-                    first ? product : sum[c * dim + d] + product;
-                }
+            else
+              {
+                double *sum = sums + std::size_t(position[j]) * n;
+                for (unsigned int c = 0; c < n; ++c)
+                  sum[c] += weight[c] * block[c];
+              }
           }
       }
 
@@ -314,11 +327,13 @@ namespace StickSlip
     coarse_values.assign(std::size_t(size) * n, 0.);
     for (unsigned int k = 0; k < size; ++k)
       coarse_position[target.column[first + k]] = k;
-    for (unsigned int m = 0; m < row_columns.size(); ++m)
+    double             *result = coarse_values.data();
+    const unsigned int *place  = coarse_position.data();
+    for (unsigned int m = 0; m < n_fine_columns; ++m)
       {
-        const unsigned int j   = row_columns[m];
-        double            *sum = &row_values[m * n];
-        row_position[j]        = -1;
+        const unsigned int j   = columns[m];
+        double            *sum = sums + std::size_t(m) * n;
+        position[j]            = -1;
         if (!fine_mask.is_fully_active(j))
           for (unsigned int d = 0; d < dim; ++d)
             if (!fine_mask.is_active(j, d))
@@ -326,9 +341,10 @@ namespace StickSlip
                 sum[c * dim + d] = 0.;
         for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1]; ++q)
           {
-            double *entry = &coarse_values[coarse_position[P.column[q]] * n];
+            double      *entry  = result + std::size_t(place[P.column[q]]) * n;
+            const double weight = P.value[q];
             for (unsigned int c = 0; c < n; ++c)
-              entry[c] += P.value[q] * sum[c];
+              entry[c] += weight * sum[c];
           }
       }
     std::copy(coarse_values.begin(),

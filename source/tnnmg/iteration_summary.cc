@@ -20,7 +20,7 @@ namespace StickSlip
   double
   IterationSummary::relative_error(const IterationSummary *before) const
   {
-    constexpr double small = 0.1, fast = 0.1, fastest = 1e-3;
+    constexpr double small = 0.1, fast = 0.1, fastest = 0.02;
     // Written so that a NaN and zero over zero make no difference.
     if (before && before->relative_correction() < small &&
         correction_norm < fast * before->correction_norm)

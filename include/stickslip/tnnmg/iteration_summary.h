@@ -46,8 +46,9 @@ namespace StickSlip
      * energy norm: what a sequence of corrections that go on to shrink by the
      * factor q of the last two adds up to, q / (1 - q) times the last one. That
      * is trusted where q < 0.1 and the correction @p before this was below a
-     * tenth of the iterate, for q not below 1e-3; elsewhere, and without a
-     * correction before, it is the size of this one.
+     * tenth of the iterate, and not for q below 0.02, with which a few cycles
+     * go on at best; elsewhere, and without a correction before, it is the size
+     * of this one.
      */
     double
     relative_error(const IterationSummary *before) const;

@@ -34,10 +34,10 @@ namespace StickSlip
   struct TNNMGParameters
   {
     /**
-     * The iteration ends when the energy norm of its correction is below this
-     * times the energy norm of the iterate.
+     * The iteration ends when the error, as IterationSummary::relative_error()
+     * estimates it, is below this.
      */
-    double tolerance = 1e-8;
+    double tolerance = 1e-9;
 
     /** More iterations than this are a failure. */
     unsigned int max_iterations = 100;
