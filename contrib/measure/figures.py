@@ -141,10 +141,11 @@ def draw_iterations(records, section, abscissa, label):
             )
         axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
         axes.minorticks_off()
-        axes.set_ylim(bottom=0)
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
         axes.set_xlabel(label)
         axes.set_title(f"tau = {tau:g} s", fontsize=9)
+    # Once all is drawn, since this ends the search for the other limit.
+    panels[0].set_ylim(bottom=0)
     panels[0].set_ylabel("TNNMG iterations")
     panels[-1].legend(
         loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False
