@@ -13,10 +13,11 @@ doc/data/scaling.csv and the tables between the marks in doc/parallel.md; with
 import argparse
 import csv
 import dataclasses
-import os
 import pathlib
 import subprocess
 import sys
+
+from measure import programs
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent
 BEGIN, END = "<!-- tables of contrib/scaling -->", "<!-- end of the tables -->"
@@ -100,17 +101,6 @@ def measure(problem, n_processes):
     return {"problem": problem.name} | row
 
 
-def machine():
-    model = next(
-        line.split(":", 1)[1].strip()
-        for line in open("/proc/cpuinfo")
-        if line.startswith("model name")
-    )
-    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
-    cores = len(os.sched_getaffinity(0))
-    return f"{model}, {cores} cores, {memory:.0f} GiB"
-
-
 COLUMNS = [
     ("processes", "processes", "{:.0f}"),
     ("tnnmg_iterations", "TNNMG iterations", "{:.0f}"),
@@ -147,7 +137,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
 
-    measured, text = [], [f"\nMeasured on: {machine()}.\n"]
+    measured, text = [], [f"\nMeasured on: {programs.machine()}.\n"]
     for problem in PROBLEMS:
         if arguments.quick and not problem.is_small:
             continue

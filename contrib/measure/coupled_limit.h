@@ -5,6 +5,7 @@
 #define stickslip_contrib_coupled_limit_h
 
 #include <stickslip/time/newmark.h>
+#include <stickslip/tnnmg/linearised_operator.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <map>
@@ -16,33 +17,6 @@
 
 namespace Measure
 {
-  /** The linearised operator and the V-cycle of this program. */
-  template <int dim>
-  struct CoupledOperator
-  {
-    LevelHierarchy<dim> &hierarchy;
-
-    void
-    vmult(NodalVector &y, const NodalVector &x) const
-    {
-      hierarchy.vmult_linearised(y, x);
-    }
-  };
-
-  template <int dim>
-  struct CoupledPreconditioner
-  {
-    LevelHierarchy<dim> &hierarchy;
-
-    void
-    vmult(NodalVector &y, const NodalVector &x) const
-    {
-      hierarchy.v_cycle(y, x);
-    }
-  };
-
-
-
   /** The discretisation of this program with all jumps frozen. */
   template <int dim>
   class CoupledLimit
@@ -74,8 +48,8 @@ namespace Measure
       method.solve       = [this]() {
         freeze();
         const unsigned int n =
-          conjugate_gradients(CoupledOperator<dim>{hierarchy},
-                              CoupledPreconditioner<dim>{hierarchy},
+          conjugate_gradients(LinearisedOperator<dim>{hierarchy},
+                              CyclePreconditioner<dim>{hierarchy},
                               w,
                               rhs,
                               reduction);
@@ -106,8 +80,8 @@ namespace Measure
         {
           freeze();
           reference_solution = problem.make_vector();
-          conjugate_gradients(CoupledOperator<dim>{hierarchy},
-                              CoupledPreconditioner<dim>{hierarchy},
+          conjugate_gradients(LinearisedOperator<dim>{hierarchy},
+                              CyclePreconditioner<dim>{hierarchy},
                               reference_solution,
                               rhs,
                               reference_reduction);
@@ -167,7 +141,7 @@ namespace Measure
       method.error            = [this]() {
         // The last solve was another one's.
         const NodalVector solution = w;
-        return relative_energy_error(CoupledOperator<dim>{hierarchy},
+        return relative_energy_error(LinearisedOperator<dim>{hierarchy},
                                      solution,
                                      reference());
       };

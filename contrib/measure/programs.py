@@ -65,67 +65,69 @@ def linear_rows(mesh, tau, solvers, repetitions=3, options=(), timeout=300):
     return run("linear_problem", scene_arguments(mesh, extra) + options, timeout)
 
 
-def rate_record(section, mesh, solver, row):
-    """A row of rate_problem in the columns of the table of all results."""
+def make_record(section, mesh, state, tau, solver, **results):
+    """A row of the table of all results; columns not named stay empty."""
     return {
+        **dict.fromkeys(COLUMNS, ""),
         "section": section,
         "problem": mesh.name,
-        "state": row["state"],
+        "state": state,
         "dim": mesh.dim,
         "bodies": mesh.bodies,
-        "unknowns": row["unknowns"],
-        "tau": row["tau"],
+        "tau": tau,
         "solver": solver,
-        "iterations": row["tnnmg_iterations"],
-        "cycles": row["cycles"],
-        "setup_s": sum(
+        **results,
+    }
+
+
+def rate_record(section, mesh, solver, row):
+    """A row of rate_problem in the columns of the table of all results."""
+    return make_record(
+        section,
+        mesh,
+        row["state"],
+        row["tau"],
+        solver,
+        unknowns=row["unknowns"],
+        iterations=row["tnnmg_iterations"],
+        cycles=row["cycles"],
+        setup_s=sum(
             float(row[part])
             for part in ("meshes_s", "matrices_and_contact_s", "operator_s")
         ),
-        "solve_s": row["solve_s"],
-        "bytes_per_unknown": row["bytes_per_unknown"],
-        "error": row["error"],
-        "note": "" if row["converged"] == "1" else "not converged",
-    }
+        solve_s=row["solve_s"],
+        bytes_per_unknown=row["bytes_per_unknown"],
+        error=row["error"],
+        note="" if row["converged"] == "1" else "not converged",
+    )
 
 
 def linear_record(section, mesh, row):
-    return {
-        "section": section,
-        "problem": mesh.name,
-        "state": "welded",
-        "dim": mesh.dim,
-        "bodies": mesh.bodies,
-        "unknowns": row["unknowns"],
-        "tau": row["tau"],
-        "solver": row["solver"],
-        "iterations": row["iterations"],
-        "cycles": row["cycles"],
-        "setup_s": sum(
+    """The same for a row of linear_problem."""
+    return make_record(
+        section,
+        mesh,
+        "welded",
+        row["tau"],
+        row["solver"],
+        unknowns=row["unknowns"],
+        iterations=row["iterations"],
+        cycles=row["cycles"],
+        setup_s=sum(
             float(row[part])
             for part in ("meshes_s", "assembly_s", "preconditioner_s")
         ),
-        "solve_s": row["solve_s"],
-        "bytes_per_unknown": row["bytes_per_unknown"],
-        "error": row.get("error", ""),
-        "note": "",
-    }
+        solve_s=row["solve_s"],
+        bytes_per_unknown=row["bytes_per_unknown"],
+        error=row.get("error", ""),
+    )
 
 
 def failed_record(section, mesh, solver, state, tau, reason):
     """What is kept of a measurement that failed."""
-    record = dict.fromkeys(COLUMNS, "")
-    record.update(
-        section=section,
-        problem=mesh.name,
-        state=state,
-        dim=mesh.dim,
-        bodies=mesh.bodies,
-        tau=f"{float(tau):g}",
-        solver=solver,
-        note=str(reason),
+    return make_record(
+        section, mesh, state, f"{float(tau):g}", solver, note=str(reason)
     )
-    return record
 
 
 def key(record):

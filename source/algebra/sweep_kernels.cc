@@ -121,32 +121,25 @@ namespace StickSlip
 
 
 
-      /** x = D (b - sum). */
+      /** x_i = D_i (b_i - sum) for one row i. */
       template <int dim, typename Number>
       inline void
       relax(const RowSum<dim, Number> &sum,
             const Number              *inverse_diagonal,
+            const unsigned int         i,
             const Number              *b,
             Number                    *x)
       {
-        Number s[dim];
+        const unsigned long first = static_cast<unsigned long>(i) * dim;
+        Number              s[dim];
         sum.get(s);
         for (int c = 0; c < dim; ++c)
-          s[c] = b[c] - s[c];
+          s[c] = b[first + c] - s[c];
         RowSum<dim, Number> result;
-        result.add(inverse_diagonal, s);
+        result.add(inverse_diagonal + first * dim, s);
         result.get(s);
         for (int c = 0; c < dim; ++c)
-          x[c] = s[c];
-      }
-
-
-
-      /** Where the numbers of a node begin. */
-      inline unsigned long
-      at(const unsigned int node, const unsigned int size)
-      {
-        return static_cast<unsigned long>(node) * size;
+          x[first + c] = s[c];
       }
     } // namespace
 
@@ -164,10 +157,7 @@ namespace StickSlip
         {
           RowSum<dim, Number> sum;
           add_row(sum, lower, i, x);
-          relax(sum,
-                inverse_diagonal + at(i, dim * dim),
-                b + at(i, dim),
-                x + at(i, dim));
+          relax(sum, inverse_diagonal, i, b, x);
         }
     }
 
@@ -187,7 +177,7 @@ namespace StickSlip
           Number s[dim];
           sum.get(s);
           for (int c = 0; c < dim; ++c)
-            r[at(i, dim) + c] = -s[c];
+            r[static_cast<unsigned long>(i) * dim + c] = -s[c];
         }
     }
 
@@ -208,10 +198,7 @@ namespace StickSlip
           RowSum<dim, Number> sum;
           add_row(sum, upper, i, x);
           add_row(sum, lower, i, x);
-          relax(sum,
-                inverse_diagonal + at(i, dim * dim),
-                b + at(i, dim),
-                x + at(i, dim));
+          relax(sum, inverse_diagonal, i, b, x);
         }
     }
 
@@ -231,10 +218,7 @@ namespace StickSlip
           RowSum<dim, Number> sum;
           add_row_backward(sum, lower, i, x);
           add_row_backward(sum, upper, i, x);
-          relax(sum,
-                inverse_diagonal + at(i, dim * dim),
-                b + at(i, dim),
-                x + at(i, dim));
+          relax(sum, inverse_diagonal, i, b, x);
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include <stickslip/parameters/agreed_failure.h>
 #include <stickslip/time/initial_equilibrium.h>
+#include <stickslip/tnnmg/linearised_operator.h>
 
 #include <limits>
 
@@ -13,34 +14,6 @@ namespace StickSlip
 {
   namespace
   {
-    template <int dim>
-    struct Operator
-    {
-      const LevelHierarchy<dim> &hierarchy;
-
-      void
-      vmult(NodalVector &y, const NodalVector &x) const
-      {
-        hierarchy.vmult_linearised(y, x);
-      }
-    };
-
-
-
-    template <int dim>
-    struct Preconditioner
-    {
-      LevelHierarchy<dim> &hierarchy;
-
-      void
-      vmult(NodalVector &y, const NodalVector &x) const
-      {
-        hierarchy.v_cycle(y, x);
-      }
-    };
-
-
-
     template <int dim>
     void
     set_contact_pressure(InitialEquilibrium<dim> &result,
@@ -121,10 +94,11 @@ namespace StickSlip
     if (rhs.l2_norm() > 0.)
       try
         {
-          SolverCG<NodalVector>(control).solve(Operator<dim>{hierarchy},
-                                               w,
-                                               rhs,
-                                               Preconditioner<dim>{hierarchy});
+          SolverCG<NodalVector>(control).solve(
+            LinearisedOperator<dim>{hierarchy},
+            w,
+            rhs,
+            CyclePreconditioner<dim>{hierarchy});
         }
       catch (const SolverControl::NoConvergence &)
         {

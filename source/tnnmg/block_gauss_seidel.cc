@@ -72,7 +72,17 @@ namespace StickSlip
                                               const Tensor<2, dim> &block,
                                               const NodeMask       &active)
   {
-    const Tensor<2, dim> inverse = invert_active(block, active, i);
+    set_inverse_diagonal(i, invert_active(block, active, i));
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::set_inverse_diagonal(
+    const unsigned int    i,
+    const Tensor<2, dim> &inverse)
+  {
     Number *target = inverse_diagonal.data() + std::size_t(i) * dim * dim;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)

@@ -21,25 +21,16 @@ namespace StickSlip
     const std::vector<Tensor<2, dim>> &new_hessians,
     const NodeMask                    &new_active)
   {
-    const LevelDescription<dim> &finest = hierarchy.finest();
     if (is_factorised && version == hierarchy.operator_version() &&
         hessians == new_hessians &&
-        active.is_equal(new_active, finest.nodes.n_owned()))
+        active.is_equal(new_active, hierarchy.finest().nodes.n_owned()))
       return;
     is_factorised = false;
     version       = hierarchy.operator_version();
     hessians      = new_hessians;
     active        = new_active;
 
-    linearised = hierarchy.matrix();
-    for (unsigned int k = 0; k < hessians.size(); ++k)
-      {
-        const unsigned int i = finest.nonsmooth_nodes[k];
-        linearised.set_diagonal_block(i,
-                                      linearised.diagonal_block(i) +
-                                        hessians[k]);
-      }
-    factorisation->set_matrix(linearised, active);
+    factorisation->set_matrix(linearised_matrix(hierarchy, hessians), active);
     is_factorised = true;
   }
 

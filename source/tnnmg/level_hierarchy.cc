@@ -73,9 +73,9 @@ namespace StickSlip
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             target[c * dim + d] = inverse[c][d];
+        if (cycle)
+          cycle->set_finest_row(A, i, inverse);
       }
-    if (cycle)
-      cycle->set_finest_rows(A, begin, end);
   }
 
 
@@ -89,7 +89,9 @@ namespace StickSlip
     cycle->set_coarse_solver(coarse_solver);
     cycle->set_terms(terms);
     cycle->combine_coarse_levels(current_coefficients);
-    cycle->set_finest_rows(A, 0, A.n_rows());
+    for (unsigned int i = 0; i < A.n_rows(); ++i)
+      cycle->set_finest_row(
+        A, i, invert_active(A.diagonal_block(i), finest().fixed, i));
   }
 
 
@@ -146,38 +148,23 @@ namespace StickSlip
     const std::vector<Tensor<2, dim>> &hessians,
     const NodeMask                    &new_active) const
   {
-    Change change = Change::everything;
+    // A change far below the diagonal of the matrix is none, whatever it is
+    // compared with.
+    constexpr double negligible = 1e-2;
+    Change           change     = Change::everything;
     if (is_linearised && new_active.is_equal(active, finest().nodes.n_owned()))
       {
         if (hessians == current_hessians)
           change = Change::nothing;
-        else if (levels.size() > 1 && are_close(hessians, coarse_hessians))
+        else if (levels.size() > 1 && are_close(*this,
+                                                hessians,
+                                                coarse_hessians,
+                                                coarse_update_threshold,
+                                                negligible))
           change = Change::finest_level;
       }
     return Change(Utilities::MPI::min(static_cast<int>(change),
                                       finest().nodes.communicator()));
-  }
-
-
-
-  template <int dim>
-  bool
-  LevelHierarchy<dim>::are_close(const std::vector<Tensor<2, dim>> &a,
-                                 const std::vector<Tensor<2, dim>> &b) const
-  {
-    // A change far below the diagonal of the matrix is none, whatever it is
-    // compared with.
-    constexpr double                 negligible = 1e-2;
-    const std::vector<unsigned int> &nodes      = finest().nonsmooth_nodes;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        const double size =
-          b[k].norm() + negligible * A.diagonal_block(nodes[k]).norm();
-        // Written so that a NaN is not close.
-        if (!((a[k] - b[k]).norm() <= coarse_update_threshold * size))
-          return false;
-      }
-    return true;
   }
 
 
@@ -188,12 +175,7 @@ namespace StickSlip
                                         const NodalVector &x) const
   {
     A.vmult(y, x);
-    const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          y.local_element(nodes[k] * dim + c) +=
-            current_hessians[k][c][d] * x.local_element(nodes[k] * dim + d);
+    add_hessians(y, 1., finest().nonsmooth_nodes, current_hessians, x);
     active.apply(y);
   }
 
@@ -361,6 +343,59 @@ namespace StickSlip
 
 
 
-  template class LevelHierarchy<2>;
-  template class LevelHierarchy<3>;
+  template <int dim>
+  void
+  add_hessians(NodalVector                       &y,
+               const double                       factor,
+               const std::vector<unsigned int>   &nodes,
+               const std::vector<Tensor<2, dim>> &hessians,
+               const NodalVector                 &x)
+  {
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          y.local_element(nodes[k] * dim + c) +=
+            factor * hessians[k][c][d] * x.local_element(nodes[k] * dim + d);
+  }
+
+
+
+  template <int dim>
+  bool
+  are_close(const LevelHierarchy<dim>         &hierarchy,
+            const std::vector<Tensor<2, dim>> &a,
+            const std::vector<Tensor<2, dim>> &b,
+            const double                       threshold,
+            const double                       negligible)
+  {
+    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const double size =
+          b[k].norm() +
+          negligible * hierarchy.matrix().diagonal_block(nodes[k]).norm();
+        // Written so that a NaN is not close.
+        if (!((a[k] - b[k]).norm() <= threshold * size))
+          return false;
+      }
+    return true;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                     \
+  template class LevelHierarchy<dim>;                                  \
+  template void add_hessians<dim>(NodalVector &,                       \
+                                  const double,                        \
+                                  const std::vector<unsigned int> &,   \
+                                  const std::vector<Tensor<2, dim>> &, \
+                                  const NodalVector &);                \
+  template bool are_close<dim>(const LevelHierarchy<dim> &,            \
+                               const std::vector<Tensor<2, dim>> &,    \
+                               const std::vector<Tensor<2, dim>> &,    \
+                               const double,                           \
+                               const double);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

@@ -68,6 +68,21 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  BlockMatrix<dim>
+  linearised_matrix(const LevelHierarchy<dim>         &hierarchy,
+                    const std::vector<Tensor<2, dim>> &hessians)
+  {
+    BlockMatrix<dim>                 result = hierarchy.matrix();
+    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      result.set_diagonal_block(nodes[k],
+                                result.diagonal_block(nodes[k]) + hessians[k]);
+    return result;
+  }
+
+
+
   bool
   is_serial(const LinearCorrectionType type)
   {
@@ -83,7 +98,9 @@ namespace StickSlip
   template std::unique_ptr<LinearCorrection<dim>> make_linear_correction<dim>( \
     LevelHierarchy<dim> &,                                                     \
     const TNNMGParameters &,                                                   \
-    const std::vector<NodalVector> &);
+    const std::vector<NodalVector> &);                                         \
+  template BlockMatrix<dim> linearised_matrix<dim>(                            \
+    const LevelHierarchy<dim> &, const std::vector<Tensor<2, dim>> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -35,8 +35,9 @@ namespace StickSlip
                            NodalVector          &A_x,
                            NodalVector          &r)
   {
-    x                   = 0.;
-    A_x                 = 0.;
+    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
+    x                                      = 0.;
+    A_x                                    = 0.;
     double       rz_old = 0., rz_small = 0.;
     unsigned int steps = 0;
     while (steps < max_steps)
@@ -54,7 +55,7 @@ namespace StickSlip
         else
           direction.sadd(rz / rz_old, 1., preconditioned);
         hierarchy.matrix().vmult(A_direction, direction);
-        add_hessians(A_direction, 1., direction);
+        add_hessians(A_direction, 1., nodes, hessians, direction);
         const double curvature = direction * A_direction;
         if (!(curvature > 0.))
           break;
@@ -70,24 +71,8 @@ namespace StickSlip
           }
       }
     // So far it is (A + H) x.
-    add_hessians(A_x, -1., x);
+    add_hessians(A_x, -1., nodes, hessians, x);
     return steps;
-  }
-
-
-
-  template <int dim>
-  void
-  LinearisedCG<dim>::add_hessians(NodalVector       &y,
-                                  const double       factor,
-                                  const NodalVector &x) const
-  {
-    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          y.local_element(nodes[k] * dim + c) +=
-            factor * hessians[k][c][d] * x.local_element(nodes[k] * dim + d);
   }
 
 

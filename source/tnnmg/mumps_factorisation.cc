@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <dmumps_c.h>
+#include <stickslip/algebra/masked_entries.h>
 #include <stickslip/tnnmg/mumps_factorisation.h>
 
 #include <algorithm>
@@ -116,13 +117,8 @@ namespace StickSlip
              ++k)
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int d = 0; d < dim; ++d)
-              {
-                const unsigned int j = source->column[k];
-                if (j * dim + d <= i * dim + c)
-                  *entry++ = mask.is_active(i, c) && mask.is_active(j, d) ?
-                               matrix.block(k)[c * dim + d] :
-                               (i == j && c == d ? 1. : 0.);
-              }
+              if (source->column[k] * dim + d <= i * dim + c)
+                *entry++ = masked_entry(matrix, mask, i, k, c, d);
     }
   };
 

@@ -6,6 +6,7 @@
 #include <Epetra_Map.h>
 #include <Epetra_MpiComm.h>
 #include <Epetra_Vector.h>
+#include <stickslip/algebra/masked_entries.h>
 #include <stickslip/tnnmg/trilinos_system.h>
 
 #include <algorithm>
@@ -92,18 +93,7 @@ namespace StickSlip
     int    *row_start, *columns;
     double *value;
     implementation->matrix->ExtractCrsDataPointers(row_start, columns, value);
-    for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int k = sparsity.row_start[i];
-             k < sparsity.row_start[i + 1];
-             ++k)
-          {
-            const unsigned int j = sparsity.column[k];
-            for (unsigned int d = 0; d < dim; ++d)
-              *value++ = mask.is_active(i, c) && mask.is_active(j, d) ?
-                           matrix.block(k)[c * dim + d] :
-                           (i == j && c == d ? 1. : 0.);
-          }
+    write_masked_entries(matrix, mask, value);
     return is_new;
   }
 

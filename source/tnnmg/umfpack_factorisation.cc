@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/algebra/masked_entries.h>
 #include <stickslip/tnnmg/umfpack_factorisation.h>
 #include <umfpack.h>
 
@@ -66,24 +67,6 @@ namespace StickSlip
           }
       value.resize(column.size());
     }
-
-    void
-    set_values(const BlockMatrix<dim> &matrix, const NodeMask &mask)
-    {
-      double *entry = value.data();
-      for (unsigned int i = 0; i < source->n_rows(); ++i)
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int k = source->row_start[i];
-               k < source->row_start[i + 1];
-               ++k)
-            {
-              const unsigned int j = source->column[k];
-              for (unsigned int d = 0; d < dim; ++d)
-                *entry++ = mask.is_active(i, c) && mask.is_active(j, d) ?
-                             matrix.block(k)[c * dim + d] :
-                             (i == j && c == d ? 1. : 0.);
-            }
-    }
   };
 
 
@@ -111,7 +94,7 @@ namespace StickSlip
     if (is_new)
       data.set_sparsity(matrix.shared_sparsity());
     // The matrix is symmetric, so rows may be given for columns.
-    data.set_values(matrix, mask);
+    write_masked_entries(matrix, mask, data.value.data());
     const int n = data.row_start.size() - 1;
     if (is_new)
       {

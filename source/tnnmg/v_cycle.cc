@@ -27,9 +27,9 @@ namespace StickSlip
       combine_coarse_levels(const std::vector<double> &coefficients) override;
 
       void
-      set_finest_rows(const BlockMatrix<dim> &A,
-                      const unsigned int      begin,
-                      const unsigned int      end) override;
+      set_finest_row(const BlockMatrix<dim> &A,
+                     const unsigned int      i,
+                     const Tensor<2, dim>   &inverse_diagonal) override;
 
       void
       set_finest_diagonal(const unsigned int    i,
@@ -224,18 +224,13 @@ namespace StickSlip
 
     template <int dim, typename Number>
     void
-    VCycleIn<dim, Number>::set_finest_rows(const BlockMatrix<dim> &A,
-                                           const unsigned int      begin,
-                                           const unsigned int      end)
+    VCycleIn<dim, Number>::set_finest_row(
+      const BlockMatrix<dim> &A,
+      const unsigned int      i,
+      const Tensor<2, dim>   &inverse_diagonal)
     {
-      Level &finest = levels.back();
-      for (unsigned int i = begin; i < end; ++i)
-        {
-          finest.smoother.set_row(i, A);
-          finest.smoother.set_diagonal(i,
-                                       A.diagonal_block(i),
-                                       descriptions.back().fixed);
-        }
+      levels.back().smoother.set_row(i, A);
+      levels.back().smoother.set_inverse_diagonal(i, inverse_diagonal);
     }
 
 

@@ -5,12 +5,7 @@
 #define stickslip_tnnmg_amg_coarse_solver_h
 
 #include <stickslip/tnnmg/coarse_solver.h>
-#include <stickslip/tnnmg/trilinos_system.h>
-
-namespace ML_Epetra
-{
-  class MultiLevelPreconditioner;
-}
+#include <stickslip/tnnmg/smoothed_aggregation.h>
 
 namespace StickSlip
 {
@@ -25,8 +20,6 @@ namespace StickSlip
   public:
     AMGCoarseSolver();
 
-    ~AMGCoarseSolver() override;
-
     void
     set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
 
@@ -34,8 +27,7 @@ namespace StickSlip
     solve(NodalVector &x, const NodalVector &b) override;
 
   private:
-    TrilinosSystem<dim>                                  system;
-    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycles;
+    SmoothedAggregation<dim> cycles;
   };
 } // namespace StickSlip
 

@@ -6,12 +6,7 @@
 
 #include <stickslip/tnnmg/linear_correction.h>
 #include <stickslip/tnnmg/linearised_cg.h>
-#include <stickslip/tnnmg/trilinos_system.h>
-
-namespace ML_Epetra
-{
-  class MultiLevelPreconditioner;
-}
+#include <stickslip/tnnmg/smoothed_aggregation.h>
 
 namespace StickSlip
 {
@@ -30,8 +25,6 @@ namespace StickSlip
                   const TNNMGParameters          &parameters,
                   const std::vector<NodalVector> &near_null_space);
 
-    ~AMGCorrection() override;
-
     void
     linearise(const std::vector<Tensor<2, dim>> &hessians,
               const NodeMask                    &active) override;
@@ -47,17 +40,9 @@ namespace StickSlip
     is_close(const std::vector<Tensor<2, dim>> &new_hessians,
              const NodeMask                    &new_active) const;
 
-    void
-    apply_cycle(NodalVector &x, const NodalVector &b);
-
-    LevelHierarchy<dim>   &hierarchy;
-    const TNNMGParameters &parameters;
-    /** Mode after mode, as ML wants them. */
-    std::vector<double>                                  null_space;
-    unsigned int                                         n_modes;
-    TrilinosSystem<dim>                                  system;
-    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycles;
-    BlockMatrix<dim>                                     linearised;
+    LevelHierarchy<dim>     &hierarchy;
+    const TNNMGParameters   &parameters;
+    SmoothedAggregation<dim> cycles;
 
     /** What the cycles are made for. */
     unsigned long               version = 0;

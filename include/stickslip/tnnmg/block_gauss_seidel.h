@@ -39,6 +39,10 @@ namespace StickSlip
                  const Tensor<2, dim> &block,
                  const NodeMask       &active);
 
+    /** The same by the inverse of its active part. */
+    void
+    set_inverse_diagonal(const unsigned int i, const Tensor<2, dim> &inverse);
+
     /** x after a forward sweep from zero, and the residual r = b - A x, not
      * masked. The first of these is without communication, the second fetches
      * the ghosts of x. */

@@ -31,7 +31,6 @@ namespace StickSlip
   private:
     LevelHierarchy<dim>                      &hierarchy;
     std::unique_ptr<SparseFactorisation<dim>> factorisation;
-    BlockMatrix<dim>                          linearised;
 
     /** What the factors belong to, if there are any. */
     bool                        is_factorised = false;

@@ -149,12 +149,6 @@ namespace StickSlip
     required_change(const std::vector<Tensor<2, dim>> &hessians,
                     const NodeMask                    &active) const;
 
-    /** Whether no block of @p a differs from that of @p b by more than the
-     * threshold, on this process. */
-    bool
-    are_close(const std::vector<Tensor<2, dim>> &a,
-              const std::vector<Tensor<2, dim>> &b) const;
-
     std::vector<LevelDescription<dim>> levels;
     std::vector<BlockMatrix<dim>>      terms;
     BlockMatrix<dim>                   A;
@@ -174,6 +168,28 @@ namespace StickSlip
     unsigned int                sweeps                  = 1;
     unsigned long               cycle_count             = 0;
   };
+
+  /** y += factor H x with H block diagonal at the @p nodes. */
+  template <int dim>
+  void
+  add_hessians(NodalVector                       &y,
+               const double                       factor,
+               const std::vector<unsigned int>   &nodes,
+               const std::vector<Tensor<2, dim>> &hessians,
+               const NodalVector                 &x);
+
+  /**
+   * Whether no second derivative of @p a differs from that of @p b by more than
+   * @p threshold times the size of the latter plus @p negligible times that of
+   * the diagonal of the operator, on this process.
+   */
+  template <int dim>
+  bool
+  are_close(const LevelHierarchy<dim>         &hierarchy,
+            const std::vector<Tensor<2, dim>> &a,
+            const std::vector<Tensor<2, dim>> &b,
+            const double                       threshold,
+            const double                       negligible);
 } // namespace StickSlip
 
 #endif

@@ -56,6 +56,12 @@ namespace StickSlip
                          const TNNMGParameters          &parameters,
                          const std::vector<NodalVector> &near_null_space = {});
 
+  /** The matrix A + H of the finest level. */
+  template <int dim>
+  BlockMatrix<dim>
+  linearised_matrix(const LevelHierarchy<dim>         &hierarchy,
+                    const std::vector<Tensor<2, dim>> &hessians);
+
   /** Whether a correction runs on one process only. */
   bool
   is_serial(const LinearCorrectionType type);

@@ -45,12 +45,6 @@ namespace StickSlip
           NodalVector          &r);
 
   private:
-    /** y += factor H x. */
-    void
-    add_hessians(NodalVector       &y,
-                 const double       factor,
-                 const NodalVector &x) const;
-
     const LevelHierarchy<dim>  &hierarchy;
     std::vector<Tensor<2, dim>> hessians;
     NodeMask                    active;

@@ -42,12 +42,12 @@ namespace StickSlip
     virtual void
     combine_coarse_levels(const std::vector<double> &coefficients) = 0;
 
-    /** Take over the rows begin <= i < end of the operator A on the finest
-     * level, with the fixed components masked. */
+    /** Take over a row of the operator A on the finest level, with the inverse
+     * of its diagonal block, zero in fixed components. */
     virtual void
-    set_finest_rows(const BlockMatrix<dim> &A,
-                    const unsigned int      begin,
-                    const unsigned int      end) = 0;
+    set_finest_row(const BlockMatrix<dim> &A,
+                   const unsigned int      i,
+                   const Tensor<2, dim>   &inverse_diagonal) = 0;
 
     /** Set a diagonal block on the finest level, and which of its components
      * take part. */

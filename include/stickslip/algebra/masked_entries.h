@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_algebra_masked_entries_h
+#define stickslip_algebra_masked_entries_h
+
+#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/node_mask.h>
+
+namespace StickSlip
+{
+  /**
+   * The scalar entry (c, d) of the block at a @p position in a @p row, where
+   * rows and columns of masked components are those of the identity.
+   */
+  template <int dim>
+  inline double
+  masked_entry(const BlockMatrix<dim> &matrix,
+               const NodeMask         &mask,
+               const unsigned int      row,
+               const unsigned int      position,
+               const unsigned int      c,
+               const unsigned int      d)
+  {
+    const unsigned int column = matrix.sparsity().column[position];
+    if (mask.is_active(row, c) && mask.is_active(column, d))
+      return matrix.block(position)[c * dim + d];
+    return row == column && c == d ? 1. : 0.;
+  }
+
+
+
+  /**
+   * All of them, scalar row after scalar row, each from its first column to its
+   * last one.
+   */
+  template <int dim>
+  inline void
+  write_masked_entries(const BlockMatrix<dim> &matrix,
+                       const NodeMask         &mask,
+                       double                 *value)
+  {
+    const BlockSparsity &sparsity = matrix.sparsity();
+    for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int k = sparsity.row_start[i];
+             k < sparsity.row_start[i + 1];
+             ++k)
+          for (unsigned int d = 0; d < dim; ++d)
+            *value++ = masked_entry(matrix, mask, i, k, c, d);
+  }
+} // namespace StickSlip
+
+#endif
