@@ -5,6 +5,55 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** The value at @p time of the linear function through two states. */
+    template <int dim>
+    Prediction<dim>
+    on_line_through(const SystemState<dim> &a,
+                    const SystemState<dim> &b,
+                    const double            time)
+    {
+      const double    s = (time - b.time) / (b.time - a.time);
+      Prediction<dim> result;
+      result.velocity = b.velocity;
+      result.velocity.sadd(1. + s, -s, a.velocity);
+      result.alpha = b.alpha;
+      for (unsigned int k = 0; k < result.alpha.size(); ++k)
+        result.alpha[k] += s * (b.alpha[k] - a.alpha[k]);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StepResult<dim>
+  StepDoubling<dim>::large_step(const SystemState<dim> &state, const double tau)
+  {
+    if (!before)
+      return this->step.take(state, tau);
+    const Prediction<dim> prediction =
+      on_line_through(*before, state, state.time + tau);
+    return this->step.take(state, tau, &prediction);
+  }
+
+
+
+  template <int dim>
+  StepResult<dim>
+  StepDoubling<dim>::small_step(const SystemState<dim> &start,
+                                const SystemState<dim> &from,
+                                const SystemState<dim> &large,
+                                const double            tau)
+  {
+    const Prediction<dim> prediction =
+      on_line_through(start, large, from.time + tau);
+    return this->step.take(from, tau, &prediction);
+  }
+
+
+
   template <int dim>
   std::vector<StepResult<dim>>
   StepDoubling<dim>::advance(const SystemState<dim> &state)
@@ -17,21 +66,25 @@ namespace StickSlip
         StepResult<dim> first, second;
         std::string     reason;
         if (!large)
-          large = this->step.take(state, 2. * tau);
+          large = large_step(state, 2. * tau);
         if (large->converged)
-          first = this->step.take(state, tau);
+          first = small_step(state, state, large->state, tau);
         if (first.converged)
-          second = this->step.take(first.state, tau);
+          second = small_step(state, first.state, large->state, tau);
         if (second.converged)
           {
-            std::vector<double> difference = second.state.alpha;
-            for (unsigned int k = 0; k < difference.size(); ++k)
-              difference[k] -= large->state.alpha[k];
-            if (this->faults.l2_norm(difference) <=
-                this->parameters.doubling_threshold)
+            std::vector<double> alpha_difference = second.state.alpha;
+            for (unsigned int k = 0; k < alpha_difference.size(); ++k)
+              alpha_difference[k] -= large->state.alpha[k];
+            const double difference = this->faults.l2_norm(alpha_difference);
+            const double threshold  = this->parameters.doubling_threshold;
+            if (difference <= threshold)
               {
-                this->proposed =
-                  std::min(2. * tau, this->parameters.largest_step);
+                this->proposed = tau;
+                if (growth * difference <= threshold)
+                  this->proposed =
+                    std::min(2. * tau, this->parameters.largest_step);
+                before = state;
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(first));
                 accepted.push_back(std::move(second));
