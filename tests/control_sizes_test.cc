@@ -197,6 +197,44 @@ TEST(StepDoubling, AcceptsWhatAgreesWithOneLargeStep)
 
 
 
+TEST(StepDoubling, DoublesWhereALongerStepIsExpectedToPass)
+{
+  const double  threshold = 1e-5;
+  SteppingScene scene(creeping_bodies,
+                      {"Time/Step size control=step doubling",
+                       "Time/Initial step=0.00390625",
+                       "Time/Ramp fraction=1"});
+  SteppingScene other(creeping_bodies);
+  unsigned int  n_pairs = 0, n_doubled = 0, n_kept = 0;
+  bool          should_double = false;
+  double        last          = 0;
+  while (scene.state.time < 1.)
+    {
+      const SystemState<2> before   = scene.state;
+      const unsigned int   rejected = scene.controller->n_rejected();
+      const auto           pair     = scene.advance();
+      const double         tau      = pair[0].step_size;
+      const bool is_first_attempt = scene.controller->n_rejected() == rejected;
+      if (++n_pairs > 1 && is_first_attempt &&
+          tau < scene.scene.time.largest_step)
+        {
+          EXPECT_EQ(tau, should_double ? 2. * last : last);
+          ++(should_double ? n_doubled : n_kept);
+        }
+      last = tau;
+
+      const StepResult<2> large      = other.step->take(before, 2. * tau);
+      std::vector<double> difference = large.state.alpha;
+      for (unsigned int k = 0; k < difference.size(); ++k)
+        difference[k] -= pair[1].state.alpha[k];
+      should_double = 4. * scene.faults.l2_norm(difference) <= threshold;
+    }
+  EXPECT_GT(n_doubled, 2u);
+  EXPECT_GT(n_kept, 2u);
+}
+
+
+
 TEST(EmbeddedControl, ErrorEstimateScalesWithTheThirdPower)
 {
   const double coarse = estimated_error(0x1p-6), fine = estimated_error(0x1p-7),

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "parallel_comparison.h"
-#include "stuck_faults.h"
+#include "sliding_bodies.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -47,65 +47,6 @@ namespace
         9.81,
         communicator,
         min_nodes_per_process);
-    }
-
-    // Slide the bodies over each other, each by some distance.
-    static void
-    slide(SpatialScene<dim> &scene, const double distance)
-    {
-      NodalVector           displacement = scene.problem.make_nodal_vector();
-      const MeshLevel<dim> &level        = scene.meshes.finest();
-      for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        for (unsigned int dof = 0;
-             dof < level.bodies[b]->dof_handler().n_dofs();
-             ++dof)
-          if (level.nodes.owned().is_element(level.global_node(b, dof)))
-            displacement.local_element(level.node(b, dof) * dim) =
-              (b % 2 == 0 ? 0. : distance);
-      scene.problem.build_contact(displacement);
-    }
-
-    // The operators of all levels, without friction.
-    static void
-    combine(SpatialScene<dim> &scene)
-    {
-      LevelHierarchy<dim> &hierarchy = scene.problem.hierarchy();
-      hierarchy.set_cycle_precision(CyclePrecision::double_precision);
-      hierarchy.combine({200., 1., 5e-3});
-      hierarchy.linearise(std::vector<Tensor<2, dim>>(
-                            hierarchy.finest().nonsmooth_nodes.size()),
-                          hierarchy.finest().fixed);
-    }
-
-    // Curvature and truncation that depend on the place along the fault.
-    static void
-    linearise(SpatialScene<dim> &scene)
-    {
-      LevelHierarchy<dim>         &hierarchy = scene.problem.hierarchy();
-      const LevelDescription<dim> &finest    = hierarchy.finest();
-      NodeMask                     active    = finest.fixed;
-      std::vector<Tensor<2, dim>>  hessians(finest.nonsmooth_nodes.size());
-      for (const FaultContact<dim> &fault : scene.problem.jump_basis().faults())
-        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
-          if (finest.nodes.owned().is_element(fault.slave_nodes[k]))
-            {
-              const unsigned int node =
-                finest.nodes.local_index(fault.slave_nodes[k]);
-              const auto place =
-                std::lower_bound(finest.nonsmooth_nodes.begin(),
-                                 finest.nonsmooth_nodes.end(),
-                                 node);
-              if (place == finest.nonsmooth_nodes.end() || *place != node)
-                continue;
-              const double x = fault.slave_surface.points[k][0];
-              const double y = fault.slave_surface.points[k][dim - 1];
-              if (std::sin(7. * x + y) > 0.2)
-                active.mask(node, 0);
-              else
-                hessians[place - finest.nonsmooth_nodes.begin()][0][0] =
-                  1e5 * std::exp(x);
-            }
-      hierarchy.linearise(hessians, active);
     }
 
     void
@@ -151,18 +92,18 @@ namespace
                            pair.alone.problem.load(3.),
                            numbers),
                 1e-12);
-      Pair<dim>::combine(pair.shared);
-      Pair<dim>::combine(pair.alone);
+      combine_without_friction(pair.shared);
+      combine_without_friction(pair.alone);
       pair.expect_equal_matrices();
-      Pair<dim>::linearise(pair.shared);
-      Pair<dim>::linearise(pair.alone);
+      linearise_along_faults(pair.shared);
+      linearise_along_faults(pair.alone);
       pair.expect_equal_matrices();
     };
     compare("as built");
     // Partners on the other side now belong to other processes, and the ends
     // are off contact.
-    Pair<dim>::slide(pair.shared, 0.7);
-    Pair<dim>::slide(pair.alone, 0.7);
+    slide(pair.shared, 0.7);
+    slide(pair.alone, 0.7);
     compare("slid by 0.7 m");
   }
 } // namespace

@@ -318,9 +318,15 @@ TEST(Multigrid, SingularCoarseMatrixLeavesTheOperatorAsItWas)
   SKIP_WHERE_NAN_IS_FATAL();
   LayeredSlider      slider(cells, cells, 2);
   LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
-  const NodeMask    &active    = hierarchy.finest().fixed;
-  const NodalVector  b         = random_vector(hierarchy.finest(), active);
-  NodalVector        first = b, again = b;
+  hierarchy.set_cycle_precision(CyclePrecision::double_precision);
+  // Coarse rows that are formed again are rounded in another way.
+  const auto expect_same = [](NodalVector again, const NodalVector &first) {
+    again -= first;
+    EXPECT_LT(again.linfty_norm(), 1e-13 * first.linfty_norm());
+  };
+  const NodeMask   &active = hierarchy.finest().fixed;
+  const NodalVector b      = random_vector(hierarchy.finest(), active);
+  NodalVector       first = b, again = b;
   slider.set_step(1e-2, 0.);
   truncate(hierarchy, active);
   hierarchy.v_cycle(first, b);
@@ -333,14 +339,14 @@ TEST(Multigrid, SingularCoarseMatrixLeavesTheOperatorAsItWas)
   EXPECT_THROW(hierarchy.linearise(no_numbers, active), SingularCoarseMatrix);
   truncate(hierarchy, active);
   hierarchy.v_cycle(again, b);
-  EXPECT_TRUE(is_equal(first, again));
+  expect_same(again, first);
 
   hierarchy.combine({0., 0., 0.});
   EXPECT_THROW(truncate(hierarchy, active), SingularCoarseMatrix);
   slider.set_step(1e-2, 0.);
   truncate(hierarchy, active);
   hierarchy.v_cycle(again, b);
-  EXPECT_TRUE(is_equal(first, again));
+  expect_same(again, first);
 }
 
 

@@ -148,9 +148,11 @@ namespace
       for (unsigned int i = 0; i < system.n_nodes; ++i)
         for (unsigned int c = 0; c < dim; ++c)
           if (system.active.is_active(i, c))
-            EXPECT_NEAR(residual.local_element(i * dim + c),
-                        r(i * dim + c),
-                        precision);
+            {
+              EXPECT_NEAR(residual.local_element(i * dim + c),
+                          r(i * dim + c),
+                          precision);
+            }
     };
 
     system.sweep(x, b, true);

@@ -24,7 +24,9 @@ namespace Measure
     double new_hessians = 0;
     /** Of the truncation, at all nodes of the faults. */
     double new_truncation = 0;
-    double v_cycle        = 0;
+    /** The same at one in a hundred of these nodes, side by side. */
+    double moved_front = 0;
+    double v_cycle     = 0;
   };
 
 
@@ -67,6 +69,12 @@ namespace Measure
         active.mask_node(finest.nonsmooth_nodes[k]);
       return active;
     };
+    const auto front = [&](const unsigned int end) {
+      NodeMask active = finest.fixed;
+      for (unsigned int k = 0; k < end; ++k)
+        active.mask_node(finest.nonsmooth_nodes[k]);
+      return active;
+    };
     const auto     one = hessians(1.), two = hessians(2.);
     const NodeMask even = truncation(0), odd = truncation(1);
     cost.new_hessians = shortest(
@@ -79,6 +87,14 @@ namespace Measure
       repetitions,
       [&]() { hierarchy.linearise(none, even); },
       [&]() { hierarchy.linearise(none, odd); });
+    const unsigned int half  = finest.nonsmooth_nodes.size() / 2;
+    const NodeMask     there = front(half),
+                   moved     = front(half + std::max(half / 50, 1u));
+    cost.moved_front         = shortest(
+      repetitions,
+      [&]() { hierarchy.linearise(none, moved); },
+      [&]() { hierarchy.linearise(none, there); });
+    hierarchy.linearise(none, even);
 
     NodalVector x = finest.nodes.make_vector(), b = x;
     b = 1.;

@@ -15,7 +15,6 @@ SECTION = "runs"
 PUBLISHED = {
     "Time/Step size control": "step doubling",
     "Time/State update": "implicit Euler",
-    "Time/Rate-state method": "nested",
 }
 # Title, scene, overrides.
 ALONE = [("spring slider, default control", "spring_slider", {})]

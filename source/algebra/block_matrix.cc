@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/make_set.h>
 
 #include <algorithm>
 
@@ -11,18 +12,68 @@ namespace StickSlip
   {
     row_start.reserve(rows.size() + 1);
     diagonal.reserve(rows.size());
-    for (unsigned int i = 0; i < rows.size(); ++i)
+    for (std::vector<unsigned int> &row : rows)
+      append_row(std::move(row));
+  }
+
+
+
+  BlockSparsity::BlockSparsity(const BlockSparsity                   &before,
+                               const std::vector<unsigned int>       &changed,
+                               std::vector<std::vector<unsigned int>> rows)
+  {
+    AssertDimension(changed.size(), rows.size());
+    row_start.reserve(before.row_start.size());
+    diagonal.reserve(before.diagonal.size());
+    column.reserve(before.column.size());
+    const auto copy_until = [&](const unsigned int end) {
+      const unsigned int begin = n_rows();
+      // Unsigned numbers wrap around, and back.
+      const unsigned int shift = column.size() - before.row_start[begin];
+      column.insert(column.end(),
+                    before.column.begin() + before.row_start[begin],
+                    before.column.begin() + before.row_start[end]);
+      for (unsigned int i = begin; i < end; ++i)
+        {
+          diagonal.push_back(before.diagonal[i] + shift);
+          row_start.push_back(before.row_start[i + 1] + shift);
+        }
+    };
+    for (unsigned int k = 0; k < changed.size(); ++k)
       {
-        std::vector<unsigned int> &row = rows[i];
-        row.push_back(i);
-        std::sort(row.begin(), row.end());
-        row.erase(std::unique(row.begin(), row.end()), row.end());
-        const auto own = std::lower_bound(row.begin(), row.end(), i);
-        diagonal.push_back(column.size() + (own - row.begin()));
-        column.insert(column.end(), row.begin(), row.end());
-        row_start.push_back(column.size());
-        std::vector<unsigned int>().swap(row);
+        copy_until(changed[k]);
+        append_row(std::move(rows[k]));
       }
+    copy_until(before.n_rows());
+  }
+
+
+
+  std::vector<unsigned int>
+  BlockSparsity::coupled_to(const std::vector<unsigned int> &rows) const
+  {
+    // The diagonal belongs to each row.
+    std::vector<unsigned int> result;
+    for (const unsigned int i : rows)
+      result.insert(result.end(),
+                    column.begin() + row_start[i],
+                    column.begin() + row_start[i + 1]);
+    make_set(result);
+    return result;
+  }
+
+
+
+  void
+  BlockSparsity::append_row(std::vector<unsigned int> row)
+  {
+    const unsigned int i = n_rows();
+    row.push_back(i);
+    make_set(row);
+    const auto own = std::lower_bound(row.begin(), row.end(), i);
+    diagonal.push_back(column.size() + (own - row.begin()));
+    column.insert(column.end(), row.begin(), row.end());
+    row_start.push_back(column.size());
   }
 
 
@@ -178,6 +229,26 @@ namespace StickSlip
                                 pointers.data(),
                                 (last - first) * block_size,
                                 block(first));
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockMatrix<dim, Number>::copy_other_rows(
+    const BlockMatrix               &before,
+    const std::vector<unsigned int> &changed)
+  {
+    unsigned int begin      = 0;
+    const auto   copy_until = [&](const unsigned int end) {
+      std::copy(before.block(before.pattern->row_start[begin]),
+                before.block(before.pattern->row_start[end]),
+                block(pattern->row_start[begin]));
+      begin = end + 1;
+    };
+    for (const unsigned int i : changed)
+      copy_until(i);
+    copy_until(n_rows());
   }
 
 

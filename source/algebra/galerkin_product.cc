@@ -5,32 +5,38 @@
 
 #include <stickslip/algebra/galerkin_product.h>
 #include <stickslip/algebra/index_set.h>
+#include <stickslip/algebra/make_set.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 
 namespace StickSlip
 {
   namespace
   {
     /**
-     * The sparsity of P^T A P as far as this process contributes: a list of
-     * columns for each local coarse node.
+     * Some rows of the sparsity of P^T A P as far as this process contributes:
+     * a list of columns for each.
      */
     std::vector<std::vector<unsigned int>>
-    symbolic_product(const BlockSparsity &A, const TransferMatrix &transfer)
+    symbolic_product(const BlockSparsity             &A,
+                     const TransferMatrix            &transfer,
+                     const std::vector<unsigned int> &coarse_rows)
     {
       const auto &P  = transfer.matrix();
       const auto &Pt = transfer.transpose();
 
-      std::vector<std::vector<unsigned int>> rows(transfer.n_columns());
+      std::vector<std::vector<unsigned int>> rows(coarse_rows.size());
       std::vector<unsigned int>              last_fine(transfer.n_rows(),
                                           numbers::invalid_unsigned_int);
       std::vector<unsigned int>              last_coarse(transfer.n_columns(),
                                             numbers::invalid_unsigned_int);
-      for (unsigned int I = 0; I < rows.size(); ++I)
-        for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
+      for (unsigned int K = 0; K < rows.size(); ++K)
+        for (unsigned int I = coarse_rows[K], k = Pt.row_start[I];
+             k < Pt.row_start[I + 1];
+             ++k)
           {
             const unsigned int i = Pt.column[k];
             for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
@@ -44,7 +50,7 @@ namespace StickSlip
                   if (last_coarse[P.column[q]] != I)
                     {
                       last_coarse[P.column[q]] = I;
-                      rows[I].push_back(P.column[q]);
+                      rows[K].push_back(P.column[q]);
                     }
               }
           }
@@ -102,8 +108,10 @@ namespace StickSlip
                           dim,
                           communicator);
     transfer = TransferMatrix(prolongation, fine_nodes, nodes);
+    std::vector<unsigned int> all_rows(transfer.n_columns());
+    std::iota(all_rows.begin(), all_rows.end(), 0u);
     std::vector<std::vector<unsigned int>> rows =
-      symbolic_product(fine, transfer);
+      symbolic_product(fine, transfer, all_rows);
 
     // Other processes may contribute columns that are not known here.
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
@@ -143,6 +151,68 @@ namespace StickSlip
     sparsity = std::make_shared<const BlockSparsity>(std::move(rows));
     coarse_position.resize(nodes.n_local());
     all = make_rows(std::vector<bool>(nodes.n_local(), true));
+  }
+
+
+
+  template <int dim>
+  GalerkinProduct<dim>::GalerkinProduct(
+    const GalerkinProduct           &before,
+    const BlockSparsity             &fine,
+    const std::vector<unsigned int> &changed,
+    const std::vector<GlobalRow>    &prolongation)
+    : nodes(before.nodes)
+    , transfer(before.transfer, changed, prolongation, before.nodes)
+    , ghost_sparsity(before.ghost_sparsity)
+    , from_before(true)
+    , row_position(before.row_position)
+    , coarse_position(before.coarse_position)
+  {
+    AssertDimension(Utilities::MPI::n_mpi_processes(nodes.communicator()), 1);
+    // A row of the product sees the rows of A that its node is interpolated to,
+    // and the rows of P at the columns of these. (A is symmetric, and where a
+    // row has lost a column it has changed itself.)
+    const std::vector<unsigned int> touched = fine.coupled_to(changed);
+    updated                                 = before.rows_from(touched);
+    for (const unsigned int I : rows_from(touched))
+      updated.push_back(I);
+    make_set(updated);
+
+    sparsity = std::make_shared<const BlockSparsity>(
+      *before.sparsity, updated, symbolic_product(fine, transfer, updated));
+    all = make_rows(std::vector<bool>(nodes.n_local(), true));
+  }
+
+
+
+  template <int dim>
+  bool
+  GalerkinProduct<dim>::is_update() const
+  {
+    return from_before;
+  }
+
+
+
+  template <int dim>
+  const std::vector<unsigned int> &
+  GalerkinProduct<dim>::updated_rows() const
+  {
+    return updated;
+  }
+
+
+
+  template <int dim>
+  template <typename FineNumber, typename CoarseNumber>
+  void
+  GalerkinProduct<dim>::update(const BlockMatrix<dim, FineNumber>   &fine,
+                               const NodeMask                       &fine_mask,
+                               const BlockMatrix<dim, CoarseNumber> &before,
+                               BlockMatrix<dim, CoarseNumber>       &coarse)
+  {
+    coarse.copy_other_rows(before, updated);
+    compute_rows(fine, fine_mask, updated, coarse);
   }
 
 
@@ -253,6 +323,39 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<unsigned int>
+  GalerkinProduct<dim>::rows_from(
+    const std::vector<unsigned int> &fine_rows) const
+  {
+    const auto               &P = transfer.matrix();
+    std::vector<unsigned int> rows;
+    for (const unsigned int i : fine_rows)
+      rows.insert(rows.end(),
+                  P.column.begin() + P.row_start[i],
+                  P.column.begin() + P.row_start[i + 1]);
+    make_set(rows);
+    return rows;
+  }
+
+
+
+  template <int dim>
+  template <typename FineNumber, typename CoarseNumber>
+  void
+  GalerkinProduct<dim>::compute_rows(
+    const BlockMatrix<dim, FineNumber> &fine,
+    const NodeMask                     &fine_mask,
+    const std::vector<unsigned int>    &coarse_rows,
+    BlockMatrix<dim, CoarseNumber>     &coarse)
+  {
+    AssertDimension(Utilities::MPI::n_mpi_processes(nodes.communicator()), 1);
+    for (const unsigned int I : coarse_rows)
+      compute_row(fine, fine_mask, I, *sparsity, I, coarse.values().data());
+  }
+
+
+
+  template <int dim>
   std::size_t
   GalerkinProduct<dim>::memory_consumption() const
   {
@@ -354,15 +457,25 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE_NUMBERS(dim, FineNumber, CoarseNumber)     \
-  template void GalerkinProduct<dim>::compute<FineNumber, CoarseNumber>( \
-    const BlockMatrix<dim, FineNumber> &,                                \
-    const NodeMask &,                                                    \
-    BlockMatrix<dim, CoarseNumber> &);                                   \
-  template void                                                          \
-  GalerkinProduct<dim>::compute_selected_rows<FineNumber, CoarseNumber>( \
-    const BlockMatrix<dim, FineNumber> &,                                \
-    const NodeMask &,                                                    \
+#define STICKSLIP_INSTANTIATE_NUMBERS(dim, FineNumber, CoarseNumber)          \
+  template void GalerkinProduct<dim>::compute<FineNumber, CoarseNumber>(      \
+    const BlockMatrix<dim, FineNumber> &,                                     \
+    const NodeMask &,                                                         \
+    BlockMatrix<dim, CoarseNumber> &);                                        \
+  template void                                                               \
+  GalerkinProduct<dim>::compute_selected_rows<FineNumber, CoarseNumber>(      \
+    const BlockMatrix<dim, FineNumber> &,                                     \
+    const NodeMask &,                                                         \
+    BlockMatrix<dim, CoarseNumber> &);                                        \
+  template void GalerkinProduct<dim>::compute_rows<FineNumber, CoarseNumber>( \
+    const BlockMatrix<dim, FineNumber> &,                                     \
+    const NodeMask &,                                                         \
+    const std::vector<unsigned int> &,                                        \
+    BlockMatrix<dim, CoarseNumber> &);                                        \
+  template void GalerkinProduct<dim>::update<FineNumber, CoarseNumber>(       \
+    const BlockMatrix<dim, FineNumber> &,                                     \
+    const NodeMask &,                                                         \
+    const BlockMatrix<dim, CoarseNumber> &,                                   \
     BlockMatrix<dim, CoarseNumber> &);
 #define STICKSLIP_INSTANTIATE(dim)                   \
   template class GalerkinProduct<dim>;               \

@@ -96,32 +96,75 @@ namespace StickSlip
                                  const NodePartition          &coarse)
     : n_owned_rows(fine.n_owned())
   {
-    constexpr double negligible = 1e-14;
     Assert(rows.size() == fine.n_owned() || rows.size() == fine.n_local(),
            ExcDimensionMismatch(rows.size(), fine.n_local()));
     by_row.row_start.reserve(rows.size() + 1);
-    std::vector<std::pair<unsigned int, double>> row;
-    for (const GlobalRow &global : rows)
-      {
-        row.clear();
-        for (const auto &entry : global)
-          row.emplace_back(coarse.local_index(entry.first), entry.second);
-        std::sort(row.begin(), row.end());
-        for (unsigned int k = 0; k < row.size();)
-          {
-            const unsigned int column = row[k].first;
-            double             sum    = 0;
-            for (; k < row.size() && row[k].first == column; ++k)
-              sum += row[k].second;
-            if (std::abs(sum) > negligible)
-              {
-                by_row.column.push_back(column);
-                by_row.value.push_back(sum);
-              }
-          }
-        by_row.row_start.push_back(by_row.column.size());
-      }
+    for (const GlobalRow &row : rows)
+      append_row(row, coarse);
     by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
+  }
+
+
+
+  TransferMatrix::TransferMatrix(const TransferMatrix            &before,
+                                 const std::vector<unsigned int> &changed,
+                                 const std::vector<GlobalRow>    &rows,
+                                 const NodePartition             &coarse)
+    : n_owned_rows(before.n_owned_rows)
+  {
+    AssertDimension(changed.size(), rows.size());
+    const Compressed &old = before.by_row;
+    by_row.row_start.reserve(old.row_start.size());
+    by_row.column.reserve(old.column.size());
+    by_row.value.reserve(old.value.size());
+    const auto copy_until = [&](const unsigned int end) {
+      const unsigned int begin = n_rows(), first = old.row_start[begin],
+                         last = old.row_start[end];
+      // Unsigned numbers wrap around, and back.
+      const unsigned int shift = by_row.column.size() - first;
+      by_row.column.insert(by_row.column.end(),
+                           old.column.begin() + first,
+                           old.column.begin() + last);
+      by_row.value.insert(by_row.value.end(),
+                          old.value.begin() + first,
+                          old.value.begin() + last);
+      for (unsigned int i = begin; i < end; ++i)
+        by_row.row_start.push_back(old.row_start[i + 1] + shift);
+    };
+    for (unsigned int k = 0; k < changed.size(); ++k)
+      {
+        copy_until(changed[k]);
+        append_row(rows[k], coarse);
+      }
+    copy_until(before.n_rows());
+    by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
+  }
+
+
+
+  void
+  TransferMatrix::append_row(const GlobalRow     &global,
+                             const NodePartition &coarse)
+  {
+    constexpr double                             negligible = 1e-14;
+    std::vector<std::pair<unsigned int, double>> row;
+    row.reserve(global.size());
+    for (const auto &entry : global)
+      row.emplace_back(coarse.local_index(entry.first), entry.second);
+    std::sort(row.begin(), row.end());
+    for (unsigned int k = 0; k < row.size();)
+      {
+        const unsigned int column = row[k].first;
+        double             sum    = 0;
+        for (; k < row.size() && row[k].first == column; ++k)
+          sum += row[k].second;
+        if (std::abs(sum) > negligible)
+          {
+            by_row.column.push_back(column);
+            by_row.value.push_back(sum);
+          }
+      }
+    by_row.row_start.push_back(by_row.column.size());
   }
 
 

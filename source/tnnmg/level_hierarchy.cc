@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/make_set.h>
 #include <stickslip/tnnmg/block_gauss_seidel.h>
 #include <stickslip/tnnmg/level_hierarchy.h>
 
@@ -41,12 +42,28 @@ namespace StickSlip
 
   template <int dim>
   void
+  LevelHierarchy<dim>::update(std::vector<LevelDescription<dim>> new_levels,
+                              std::vector<BlockMatrix<dim>>      new_terms)
+  {
+    AssertDimension(new_levels.size(), levels.size());
+    levels                              = std::move(new_levels);
+    std::unique_ptr<VCycle<dim>> before = std::move(cycle);
+    set_terms(std::move(new_terms));
+    cycle = std::move(before);
+    if (cycle)
+      cycle->set_terms(terms);
+  }
+
+
+
+  template <int dim>
+  void
   LevelHierarchy<dim>::combine(const std::vector<double> &coefficients)
   {
     if (coefficients == current_coefficients)
       return;
     current_coefficients = coefficients;
-    is_linearised        = false;
+    forget_linearisation();
     if (versions.emplace(coefficients, last_version + 1).second)
       ++last_version;
     // So few rows at a time that the cycle copies them from the cache.
@@ -89,9 +106,22 @@ namespace StickSlip
     cycle->set_coarse_solver(coarse_solver);
     cycle->set_terms(terms);
     cycle->combine_coarse_levels(current_coefficients);
+    forget_linearisation();
     for (unsigned int i = 0; i < A.n_rows(); ++i)
       cycle->set_finest_row(
         A, i, invert_active(A.diagonal_block(i), finest().fixed, i));
+  }
+
+
+
+  template <int dim>
+  void
+  LevelHierarchy<dim>::forget_linearisation()
+  {
+    is_linearised     = false;
+    coarse_levels_set = false;
+    coarse_active     = finest().fixed;
+    coarse_hessians.assign(finest().nonsmooth_nodes.size(), Tensor<2, dim>());
   }
 
 
@@ -105,66 +135,105 @@ namespace StickSlip
     AssertDimension(hessians.size(), nodes.size());
     if (!cycle)
       prepare_cycle();
-    const Change change = required_change(hessians, new_active);
-    if (change == Change::nothing)
+    const bool is_same = is_linearised && hessians == current_hessians &&
+                         new_active.is_equal(active, finest().nodes.n_owned());
+    if (on_all_processes(is_same))
       return;
-    current_hessians = hessians;
     is_linearised    = false;
+    current_hessians = hessians;
     active           = new_active;
     active.update_ghosts(finest().nodes);
-
-    // A itself stays as it is: H is added for the time of the products.
-    std::vector<Tensor<2, dim>> diagonal(nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        diagonal[k] = A.diagonal_block(nodes[k]);
-        A.set_diagonal_block(nodes[k], diagonal[k] + hessians[k]);
-        cycle->set_finest_diagonal(nodes[k], diagonal[k] + hessians[k], active);
-      }
-    const auto remove_hessians = [&]() {
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        A.set_diagonal_block(nodes[k], diagonal[k]);
-    };
-    if (change == Change::everything)
-      try
-        {
-          cycle->set_coarse_levels(A, active);
-          coarse_hessians = hessians;
-        }
-      catch (const SingularCoarseMatrix &)
-        {
-          remove_hessians();
-          throw;
-        }
-    remove_hessians();
+      cycle->set_finest_diagonal(nodes[k],
+                                 A.diagonal_block(nodes[k]) + hessians[k],
+                                 active);
+    // The coarsest level must be exact where it is the only one.
+    const double threshold = levels.size() > 1 ? coarse_update_threshold : 0.;
+    if (!on_all_processes(coarse_levels_set &&
+                          outdated_on_coarse_levels(threshold).empty()))
+      // Whatever differs by less than this is not worth the rows around it.
+      linearise_coarse_levels(outdated_on_coarse_levels(0.02 * threshold));
     is_linearised = true;
   }
 
 
 
   template <int dim>
-  typename LevelHierarchy<dim>::Change
-  LevelHierarchy<dim>::required_change(
-    const std::vector<Tensor<2, dim>> &hessians,
-    const NodeMask                    &new_active) const
+  std::vector<unsigned int>
+  LevelHierarchy<dim>::outdated_on_coarse_levels(const double threshold) const
   {
     // A change far below the diagonal of the matrix is none, whatever it is
     // compared with.
-    constexpr double negligible = 1e-2;
-    Change           change     = Change::everything;
-    if (is_linearised && new_active.is_equal(active, finest().nodes.n_owned()))
+    constexpr double                 negligible = 1e-2;
+    const std::vector<unsigned int> &nodes      = finest().nonsmooth_nodes;
+    std::vector<unsigned int>        outdated;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (!active.is_equal_at(coarse_active, nodes[k]) ||
+          !is_close(current_hessians[k],
+                    coarse_hessians[k],
+                    A.diagonal_block(nodes[k]),
+                    threshold,
+                    negligible))
+        outdated.push_back(k);
+    return outdated;
+  }
+
+
+
+  template <int dim>
+  void
+  LevelHierarchy<dim>::linearise_coarse_levels(
+    const std::vector<unsigned int> &outdated)
+  {
+    const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
+    // The rows of S (A + H) S that change. A mask also counts in those that
+    // are coupled to the node.
+    std::vector<unsigned int> changed, masked;
+    for (const unsigned int k : outdated)
       {
-        if (hessians == current_hessians)
-          change = Change::nothing;
-        else if (levels.size() > 1 && are_close(*this,
-                                                hessians,
-                                                coarse_hessians,
-                                                coarse_update_threshold,
-                                                negligible))
-          change = Change::finest_level;
+        coarse_hessians[k] = current_hessians[k];
+        changed.push_back(nodes[k]);
+        if (!active.is_equal_at(coarse_active, nodes[k]))
+          masked.push_back(nodes[k]);
       }
-    return Change(Utilities::MPI::min(static_cast<int>(change),
-                                      finest().nodes.communicator()));
+    for (const unsigned int i : A.sparsity().coupled_to(masked))
+      changed.push_back(i);
+    make_set(changed);
+    coarse_active = active;
+
+    // A itself stays as it is: H is added for the time of the products.
+    std::vector<Tensor<2, dim>> diagonal(nodes.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        diagonal[k] = A.diagonal_block(nodes[k]);
+        A.set_diagonal_block(nodes[k], diagonal[k] + coarse_hessians[k]);
+      }
+    const auto remove_hessians = [&]() {
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        A.set_diagonal_block(nodes[k], diagonal[k]);
+    };
+    try
+      {
+        coarse_levels_set = false;
+        cycle->set_coarse_levels(A, active, changed);
+        coarse_levels_set = true;
+      }
+    catch (const SingularCoarseMatrix &)
+      {
+        remove_hessians();
+        throw;
+      }
+    remove_hessians();
+  }
+
+
+
+  template <int dim>
+  bool
+  LevelHierarchy<dim>::on_all_processes(const bool condition) const
+  {
+    return Utilities::MPI::min(static_cast<int>(condition),
+                               finest().nodes.communicator()) != 0;
   }
 
 
@@ -285,8 +354,9 @@ namespace StickSlip
   {
     if (type == coarse_solver)
       return;
-    coarse_solver = type;
-    is_linearised = false;
+    coarse_solver     = type;
+    is_linearised     = false;
+    coarse_levels_set = false;
     if (cycle)
       cycle->set_coarse_solver(type);
   }
@@ -362,6 +432,21 @@ namespace StickSlip
 
   template <int dim>
   bool
+  is_close(const Tensor<2, dim> &a,
+           const Tensor<2, dim> &b,
+           const Tensor<2, dim> &diagonal,
+           const double          threshold,
+           const double          negligible)
+  {
+    // Written so that a NaN is not close.
+    return (a - b).norm() <=
+           threshold * (b.norm() + negligible * diagonal.norm());
+  }
+
+
+
+  template <int dim>
+  bool
   are_close(const LevelHierarchy<dim>         &hierarchy,
             const std::vector<Tensor<2, dim>> &a,
             const std::vector<Tensor<2, dim>> &b,
@@ -370,14 +455,12 @@ namespace StickSlip
   {
     const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        const double size =
-          b[k].norm() +
-          negligible * hierarchy.matrix().diagonal_block(nodes[k]).norm();
-        // Written so that a NaN is not close.
-        if (!((a[k] - b[k]).norm() <= threshold * size))
-          return false;
-      }
+      if (!is_close(a[k],
+                    b[k],
+                    hierarchy.matrix().diagonal_block(nodes[k]),
+                    threshold,
+                    negligible))
+        return false;
     return true;
   }
 

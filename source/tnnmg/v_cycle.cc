@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/algebra/flush_to_zero.h>
+#include <stickslip/algebra/make_set.h>
 #include <stickslip/tnnmg/block_gauss_seidel.h>
 #include <stickslip/tnnmg/v_cycle.h>
 
@@ -37,8 +38,9 @@ namespace StickSlip
                           const NodeMask       &active) override;
 
       void
-      set_coarse_levels(const BlockMatrix<dim> &A,
-                        const NodeMask         &active) override;
+      set_coarse_levels(const BlockMatrix<dim>          &A,
+                        const NodeMask                  &active,
+                        const std::vector<unsigned int> &changed) override;
 
       void
       vmult(NodalVector       &x,
@@ -66,8 +68,8 @@ namespace StickSlip
         /** The rest is of coarse levels only. */
         std::vector<BlockMatrix<dim, Number>> terms;
         BlockMatrix<dim, Number>              matrix;
-        /** The owned rows that a change of the nonsmooth term or of the
-         * truncation can touch. */
+        /** On several processes: the owned rows that a change of the
+         * nonsmooth term or of the truncation can touch. */
         std::vector<unsigned int> strip;
         NodeMask                  active;
       };
@@ -82,12 +84,24 @@ namespace StickSlip
       void
       find_strips(const BlockSparsity &sparsity);
 
-      /** The operator on the level below @p l from that on it. */
+      /** The operator on the level below @p l from that on it, where that has
+       * changed; replaces the @p changed rows by those of the coarser
+       * level. */
       template <typename FineNumber>
       void
       set_coarser_level(const unsigned int                  l,
                         const BlockMatrix<dim, FineNumber> &matrix,
-                        const NodeMask                     &active);
+                        const NodeMask                     &active,
+                        std::vector<unsigned int>          &changed);
+
+      /** Form rows of the operator on the level below @p l, at least those
+       * that depend on the @p changed ones; returns which. */
+      template <typename FineNumber>
+      std::vector<unsigned int>
+      form_coarse_rows(const unsigned int                  l,
+                       const BlockMatrix<dim, FineNumber> &matrix,
+                       const NodeMask                     &active,
+                       const std::vector<unsigned int>    &changed);
 
       void
       factorise_coarsest_level();
@@ -99,7 +113,9 @@ namespace StickSlip
       solve_coarsest_level();
 
       const std::vector<LevelDescription<dim>> &descriptions;
-      std::vector<Level>                        levels;
+      /** Whether there are several processes. */
+      const bool         is_shared;
+      std::vector<Level> levels;
       /** Only where the coarsest level is. */
       std::unique_ptr<CoarseSolver<dim>> coarse_solver;
       NodalVector                        coarsest_solution, coarsest_rhs;
@@ -112,6 +128,8 @@ namespace StickSlip
     VCycleIn<dim, Number>::VCycleIn(
       const std::vector<LevelDescription<dim>> &descriptions)
       : descriptions(descriptions)
+      , is_shared(Utilities::MPI::n_mpi_processes(
+                    descriptions.back().nodes.communicator()) > 1)
       , levels(descriptions.size())
       , coarse_solver(make_coarse_solver<dim>(CoarseSolverType::direct))
       , coarsest_solution(
@@ -121,7 +139,6 @@ namespace StickSlip
       for (unsigned int l = 0; l < levels.size(); ++l)
         {
           Level &level   = levels[l];
-          level.active   = descriptions[l].fixed;
           level.solution = descriptions[l].nodes.template make_vector<Number>();
           level.rhs      = level.solution;
           level.residual = level.solution;
@@ -135,6 +152,8 @@ namespace StickSlip
     VCycleIn<dim, Number>::set_terms(
       const std::vector<BlockMatrix<dim>> &finest)
     {
+      for (unsigned int l = 0; l < levels.size(); ++l)
+        levels[l].active = descriptions[l].fixed;
       levels.back().smoother =
         BlockGaussSeidel<dim, Number>(finest.front().sparsity());
       for (unsigned int l = levels.size() - 1; l > 0; --l)
@@ -153,7 +172,8 @@ namespace StickSlip
       if (levels.size() == 1)
         levels.front().matrix =
           BlockMatrix<dim, Number>(finest.front().shared_sparsity());
-      find_strips(finest.front().sparsity());
+      if (is_shared)
+        find_strips(finest.front().sparsity());
     }
 
 
@@ -167,11 +187,20 @@ namespace StickSlip
     {
       GalerkinProduct<dim> &product = *descriptions[l].to_coarser;
       Level                &coarse  = levels[l - 1];
+      const std::vector<BlockMatrix<dim, Number>> before =
+        std::move(coarse.terms);
       coarse.terms.clear();
-      for (const BlockMatrix<dim, FineNumber> &term : fine_terms)
+      for (unsigned int k = 0; k < fine_terms.size(); ++k)
         {
+          const BlockMatrix<dim, FineNumber> &term = fine_terms[k];
           coarse.terms.emplace_back(product.coarse_sparsity());
-          product.compute(term, descriptions[l].fixed, coarse.terms.back());
+          if (product.is_update() && !before.empty())
+            product.update(term,
+                           descriptions[l].fixed,
+                           before[k],
+                           coarse.terms.back());
+          else
+            product.compute(term, descriptions[l].fixed, coarse.terms.back());
         }
     }
 
@@ -209,6 +238,7 @@ namespace StickSlip
           Level             &level = levels[l];
           const unsigned int n     = level.matrix.n_rows();
           level.matrix.combine(coefficients, level.terms, 0, n);
+          level.active = descriptions[l].fixed;
           if (l > 0)
             for (unsigned int i = 0; i < n; ++i)
               {
@@ -248,8 +278,10 @@ namespace StickSlip
 
     template <int dim, typename Number>
     void
-    VCycleIn<dim, Number>::set_coarse_levels(const BlockMatrix<dim> &A,
-                                             const NodeMask         &active)
+    VCycleIn<dim, Number>::set_coarse_levels(
+      const BlockMatrix<dim>          &A,
+      const NodeMask                  &active,
+      const std::vector<unsigned int> &changed)
     {
       if (levels.size() == 1)
         {
@@ -259,11 +291,15 @@ namespace StickSlip
                     levels.front().matrix.values().begin());
           levels.front().active = active;
         }
+      std::vector<unsigned int> changed_on_level = changed;
       for (unsigned int l = levels.size() - 1; l > 0; --l)
         if (l + 1 == levels.size())
-          set_coarser_level(l, A, active);
+          set_coarser_level(l, A, active, changed_on_level);
         else
-          set_coarser_level(l, levels[l].matrix, levels[l].active);
+          set_coarser_level(l,
+                            levels[l].matrix,
+                            levels[l].active,
+                            changed_on_level);
       factorise_coarsest_level();
     }
 
@@ -275,22 +311,61 @@ namespace StickSlip
     VCycleIn<dim, Number>::set_coarser_level(
       const unsigned int                  l,
       const BlockMatrix<dim, FineNumber> &matrix,
-      const NodeMask                     &active)
+      const NodeMask                     &active,
+      std::vector<unsigned int>          &changed)
     {
-      Level &coarse = levels[l - 1];
+      Level                    &coarse = levels[l - 1];
+      std::vector<unsigned int> rows =
+        form_coarse_rows(l, matrix, active, changed);
+
+      const NodeMask before = std::move(coarse.active);
       coarse.active =
         coarsen_mask(descriptions[l - 1], descriptions[l], active);
-      descriptions[l].to_coarser->compute_selected_rows(matrix,
-                                                        active,
-                                                        coarse.matrix);
+      if (!is_shared)
+        {
+          // A mask also counts in the rows that are coupled to its node.
+          std::vector<unsigned int> masked;
+          for (const unsigned int i : descriptions[l - 1].nonsmooth_nodes)
+            if (!coarse.active.is_equal_at(before, i))
+              masked.push_back(i);
+          masked = coarse.matrix.sparsity().coupled_to(masked);
+          rows.insert(rows.end(), masked.begin(), masked.end());
+          make_set(rows);
+        }
+      changed = std::move(rows);
+
       if (l > 1)
-        for (const unsigned int i : coarse.strip)
+        for (const unsigned int i : changed)
           {
             coarse.smoother.set_row(i, coarse.matrix);
             coarse.smoother.set_diagonal(i,
                                          coarse.matrix.diagonal_block(i),
                                          coarse.active);
           }
+    }
+
+
+
+    template <int dim, typename Number>
+    template <typename FineNumber>
+    std::vector<unsigned int>
+    VCycleIn<dim, Number>::form_coarse_rows(
+      const unsigned int                  l,
+      const BlockMatrix<dim, FineNumber> &matrix,
+      const NodeMask                     &active,
+      const std::vector<unsigned int>    &changed)
+    {
+      GalerkinProduct<dim> &product = *descriptions[l].to_coarser;
+      Level                &coarse  = levels[l - 1];
+      if (is_shared)
+        {
+          // To agree on rows takes longer than to form them.
+          product.compute_selected_rows(matrix, active, coarse.matrix);
+          return coarse.strip;
+        }
+      std::vector<unsigned int> rows = product.rows_from(changed);
+      product.compute_rows(matrix, active, rows, coarse.matrix);
+      return rows;
     }
 
 

@@ -33,6 +33,12 @@ namespace StickSlip
     /** From sorted or unsorted lists of columns; the diagonal is added. */
     explicit BlockSparsity(std::vector<std::vector<unsigned int>> rows);
 
+    /** The sparsity @p before, but for the @p changed rows, in ascending order,
+     * which are given as lists of columns. */
+    BlockSparsity(const BlockSparsity                   &before,
+                  const std::vector<unsigned int>       &changed,
+                  std::vector<std::vector<unsigned int>> rows);
+
     unsigned int
     n_rows() const;
 
@@ -43,8 +49,17 @@ namespace StickSlip
     unsigned int
     position(const unsigned int row, const unsigned int column) const;
 
+    /** The columns of some rows, these themselves among them, in ascending
+     * order. */
+    std::vector<unsigned int>
+    coupled_to(const std::vector<unsigned int> &rows) const;
+
     std::size_t
     memory_consumption() const;
+
+  private:
+    void
+    append_row(std::vector<unsigned int> row);
   };
 
   /**
@@ -127,6 +142,12 @@ namespace StickSlip
             const std::vector<BlockMatrix> &terms,
             const unsigned int              begin,
             const unsigned int              end);
+
+    /** Take over all rows but the @p changed ones, in ascending order, from a
+     * matrix whose sparsity is the same in these rows. */
+    void
+    copy_other_rows(const BlockMatrix               &before,
+                    const std::vector<unsigned int> &changed);
 
     /** Bytes of the values; the sparsity is shared. */
     std::size_t

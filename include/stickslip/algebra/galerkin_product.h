@@ -42,6 +42,29 @@ namespace StickSlip
                     const std::vector<GlobalRow> &prolongation,
                     const IndexSet               &owned_coarse);
 
+    /**
+     * The product @p before, but for some rows of A and P. Everything else is
+     * taken over. On one process only, with the same nodes.
+     *
+     * @param fine The sparsity of A.
+     * @param changed The rows in which P, or A, or the mask of A may differ
+     * from what they were, in ascending order.
+     * @param prolongation The rows of P there.
+     */
+    GalerkinProduct(const GalerkinProduct           &before,
+                    const BlockSparsity             &fine,
+                    const std::vector<unsigned int> &changed,
+                    const std::vector<GlobalRow>    &prolongation);
+
+    /** Whether this product was made from another one. */
+    bool
+    is_update() const;
+
+    /** The rows of the product that may differ from what they were before, in
+     * ascending order. */
+    const std::vector<unsigned int> &
+    updated_rows() const;
+
     /** The coarse nodes; ghosts are the columns of P and of the product. */
     const NodePartition &
     coarse_nodes() const;
@@ -63,6 +86,15 @@ namespace StickSlip
             const NodeMask                     &fine_mask,
             BlockMatrix<dim, CoarseNumber>     &coarse);
 
+    /** The same where this is an update and @p before is the product of before:
+     * only the updated rows are computed. */
+    template <typename FineNumber, typename CoarseNumber>
+    void
+    update(const BlockMatrix<dim, FineNumber>   &fine,
+           const NodeMask                       &fine_mask,
+           const BlockMatrix<dim, CoarseNumber> &before,
+           BlockMatrix<dim, CoarseNumber>       &coarse);
+
     /**
      * Choose the rows of compute_selected_rows(), by the local index of the
      * coarse node; ghosts are selected where their owners have them selected.
@@ -77,6 +109,19 @@ namespace StickSlip
     compute_selected_rows(const BlockMatrix<dim, FineNumber> &fine,
                           const NodeMask                     &fine_mask,
                           BlockMatrix<dim, CoarseNumber>     &coarse);
+
+    /** The coarse rows, in ascending order, to which the given rows of S A S
+     * contribute. */
+    std::vector<unsigned int>
+    rows_from(const std::vector<unsigned int> &fine_rows) const;
+
+    /** The same as compute() for the given rows only. On one process only. */
+    template <typename FineNumber, typename CoarseNumber>
+    void
+    compute_rows(const BlockMatrix<dim, FineNumber> &fine,
+                 const NodeMask                     &fine_mask,
+                 const std::vector<unsigned int>    &coarse_rows,
+                 BlockMatrix<dim, CoarseNumber>     &coarse);
 
     std::size_t
     memory_consumption() const;
@@ -118,6 +163,9 @@ namespace StickSlip
     BlockSparsity         ghost_sparsity;
     AlignedVector<double> ghost_values;
     Rows                  all, selected;
+
+    bool                      from_before = false;
+    std::vector<unsigned int> updated;
 
     /** Work space: P^T A for one coarse row, as a list of fine columns, and
      * the row of the product. */

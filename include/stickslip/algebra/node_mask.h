@@ -46,6 +46,13 @@ namespace StickSlip
       return active[node] == full;
     }
 
+    /** Whether the components of the node that take part are the same. */
+    bool
+    is_equal_at(const NodeMask &other, const unsigned int node) const
+    {
+      return active[node] == other.active[node];
+    }
+
     unsigned int
     n_nodes() const;
 

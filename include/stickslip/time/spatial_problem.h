@@ -99,6 +99,26 @@ namespace StickSlip
     n_builds() const;
 
   private:
+    /** Everything that depends on the jump bases, one for each level. */
+    void
+    build(const std::vector<JumpBasis<dim>> &bases);
+
+    /** The same where all is there from other bases: what is away from the
+     * faults stays. On one process only. */
+    void
+    update(const std::vector<JumpBasis<dim>> &bases);
+
+    /** Masks and nonsmooth nodes of all levels. */
+    void
+    describe(std::vector<LevelDescription<dim>> &descriptions,
+             const std::vector<JumpBasis<dim>>  &bases) const;
+
+    /** The nodes whose rows in the transfer from level l - 1 to @p l can depend
+     * on the contact mapping, in ascending order. */
+    std::vector<unsigned int>
+    rows_near_faults(const unsigned int                 l,
+                     const std::vector<JumpBasis<dim>> &bases) const;
+
     const MeshHierarchy<dim>             &mesh_hierarchy;
     BoundaryValues<dim>                  &boundary;
     std::vector<FaultSides>               sides;
@@ -109,7 +129,9 @@ namespace StickSlip
     std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
     TransferMatrix                        B_inverse;
     std::unique_ptr<LevelHierarchy<dim>>  levels;
-    unsigned int                          builds = 0;
+    /** rows_near_faults() of all levels, once update() has been used. */
+    std::vector<std::vector<unsigned int>> near_faults;
+    unsigned int                           builds = 0;
   };
 } // namespace StickSlip
 

@@ -21,7 +21,8 @@ namespace StickSlip
    * to zero. Coarse operators are Galerkin products. Those of the terms are
    * computed once, when the first cycle is prepared; a change of the
    * coefficients costs a linear combination on each level, a change of H or S
-   * the products of the rows near the nonsmooth nodes.
+   * the products of the rows near the nonsmooth nodes where it happens; on
+   * several processes, near all of them.
    *
    * All member functions that compute are collective. Gauss-Seidel acts on the
    * nodes of each process, with the values of the others as they were before
@@ -42,6 +43,15 @@ namespace StickSlip
     /** The terms on the finest level; all share one sparsity. */
     void
     set_terms(std::vector<BlockMatrix<dim>> terms);
+
+    /**
+     * Replace the levels by others of the same sizes, and the terms. Where the
+     * products of the levels are updates of the present ones, only their
+     * updated rows are computed.
+     */
+    void
+    update(std::vector<LevelDescription<dim>> new_levels,
+           std::vector<BlockMatrix<dim>>      new_terms);
 
     /** Set the operator A. */
     void
@@ -103,9 +113,9 @@ namespace StickSlip
     void
     set_smoothing_sweeps(const unsigned int sweeps);
 
-    /** The coarse levels are given H anew where the components that take part
-     * have changed, or any block of H by more than this fraction since the last
-     * time; 0, from the start: always. */
+    /** The coarse levels are given those blocks of H anew that have changed by
+     * more than this fraction since the last time; 0, from the start:
+     * always. */
     void
     set_coarse_update_threshold(const double threshold);
 
@@ -135,19 +145,21 @@ namespace StickSlip
     void
     combine_rows(const unsigned int begin, const unsigned int end);
 
-    /** How much of a linearisation has to be done again. */
-    enum class Change
-    {
-      everything   = 0,
-      finest_level = 1,
-      nothing      = 2
-    };
+    /** The coarse levels have no H and no truncation any more. */
+    void
+    forget_linearisation();
 
-    /** What a change of H and of the components that take part asks for; the
-     * same on all processes. */
-    Change
-    required_change(const std::vector<Tensor<2, dim>> &hessians,
-                    const NodeMask                    &active) const;
+    /** Positions of the nonsmooth nodes whose truncation is another one on the
+     * coarse levels, or whose part in H differs by more than this fraction. */
+    std::vector<unsigned int>
+    outdated_on_coarse_levels(const double threshold) const;
+
+    /** Bring these up to date there. */
+    void
+    linearise_coarse_levels(const std::vector<unsigned int> &outdated);
+
+    bool
+    on_all_processes(const bool condition) const;
 
     std::vector<LevelDescription<dim>> levels;
     std::vector<BlockMatrix<dim>>      terms;
@@ -162,11 +174,16 @@ namespace StickSlip
     /** By the coefficients, for the present terms. */
     std::map<std::vector<double>, unsigned long> versions;
     unsigned long                                last_version = 0;
-    std::vector<Tensor<2, dim>> current_hessians, coarse_hessians;
+    std::vector<Tensor<2, dim>>                  current_hessians;
+    /** What the coarse levels have been given. */
+    std::vector<Tensor<2, dim>> coarse_hessians;
+    NodeMask                    coarse_active;
     double                      coarse_update_threshold = 0;
     bool                        is_linearised           = false;
-    unsigned int                sweeps                  = 1;
-    unsigned long               cycle_count             = 0;
+    /** Whether the coarsest level has been factorised as well. */
+    bool          coarse_levels_set = false;
+    unsigned int  sweeps            = 1;
+    unsigned long cycle_count       = 0;
   };
 
   /** y += factor H x with H block diagonal at the @p nodes. */
@@ -177,6 +194,17 @@ namespace StickSlip
                const std::vector<unsigned int>   &nodes,
                const std::vector<Tensor<2, dim>> &hessians,
                const NodalVector                 &x);
+
+  /** Whether two second derivatives differ by no more than @p threshold times
+   * the size of the second, plus @p negligible times that of the diagonal block
+   * of the operator. */
+  template <int dim>
+  bool
+  is_close(const Tensor<2, dim> &a,
+           const Tensor<2, dim> &b,
+           const Tensor<2, dim> &diagonal,
+           const double          threshold,
+           const double          negligible);
 
   /**
    * Whether no second derivative of @p a differs from that of @p b by more than

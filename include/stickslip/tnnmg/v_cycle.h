@@ -33,8 +33,9 @@ namespace StickSlip
   public:
     virtual ~VCycle() = default;
 
-    /** Form the Galerkin products of the terms of the operator. Collective,
-     * like all functions that compute. */
+    /** Form the Galerkin products of the terms of the operator; where the
+     * levels have changed since the last time and their products are updates,
+     * their updated rows only. Collective, like all functions that compute. */
     virtual void
     set_terms(const std::vector<BlockMatrix<dim>> &finest) = 0;
 
@@ -57,10 +58,14 @@ namespace StickSlip
                         const NodeMask       &active) = 0;
 
     /** Form the operators near the nonsmooth nodes on all coarse levels from
-     * that on the finest one, A, with the components that take part. Throws
-     * SingularCoarseMatrix. */
+     * that on the finest one, S A S, where S keeps the components that take
+     * part. Only what depends on the @p changed rows of S A S is formed anew;
+     * after combine_coarse_levels() those that the nonsmooth term and the
+     * truncation change. Throws SingularCoarseMatrix. */
     virtual void
-    set_coarse_levels(const BlockMatrix<dim> &A, const NodeMask &active) = 0;
+    set_coarse_levels(const BlockMatrix<dim>          &A,
+                      const NodeMask                  &active,
+                      const std::vector<unsigned int> &changed) = 0;
 
     /** x = approximate solution, where only @p active components take part. */
     virtual void
