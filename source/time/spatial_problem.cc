@@ -243,11 +243,9 @@ namespace StickSlip
     std::vector<BlockMatrix<dim>> terms;
     for (unsigned int k = 0; k < nodal_terms.size(); ++k)
       {
+        const BlockMatrix<dim> before = levels->release_term(k);
         terms.emplace_back(to_jump_basis->coarse_sparsity());
-        to_jump_basis->update(nodal_terms[k],
-                              all,
-                              levels->term(k),
-                              terms.back());
+        to_jump_basis->update(nodal_terms[k], all, before, terms.back());
       }
     levels->update(std::move(descriptions), std::move(terms));
   }

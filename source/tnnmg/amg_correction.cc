@@ -23,15 +23,22 @@ namespace StickSlip
   AMGCorrection<dim>::is_close(const std::vector<Tensor<2, dim>> &new_hessians,
                                const NodeMask &new_active) const
   {
-    // Cycles are dear to make.
-    constexpr double negligible = 1.;
-    return cycles.is_set() && version == hierarchy.operator_version() &&
-           active.is_equal(new_active, hierarchy.finest().nodes.n_owned()) &&
-           are_close(hierarchy,
-                     new_hessians,
-                     hessians,
-                     parameters.coarse_update_threshold,
-                     negligible);
+    if (!cycles.is_set() || version != hierarchy.operator_version() ||
+        !active.is_equal(new_active, hierarchy.finest().nodes.n_owned()))
+      return false;
+    // Cycles are dear to make: a change below the diagonal of the matrix is not
+    // worth it.
+    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const double size = hessians[k].norm() +
+                            hierarchy.matrix().diagonal_block(nodes[k]).norm();
+        // Written so that a NaN is not close.
+        if (!((new_hessians[k] - hessians[k]).norm() <=
+              parameters.coarse_update_threshold * size))
+          return false;
+      }
+    return true;
   }
 
 

@@ -11,6 +11,24 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** Whether two second derivatives differ by no more than @p threshold times
+     * the second one. However small they are beside the matrix: they count
+     * where a whole fault slides and nothing else holds it. A NaN is not
+     * close. */
+    template <int dim>
+    bool
+    is_close(const Tensor<2, dim> &a,
+             const Tensor<2, dim> &b,
+             const double          threshold)
+    {
+      return (a - b).norm() <= threshold * b.norm();
+    }
+  } // namespace
+
+
+
   template <int dim>
   LevelHierarchy<dim>::LevelHierarchy(
     std::vector<LevelDescription<dim>> descriptions)
@@ -52,6 +70,15 @@ namespace StickSlip
     cycle = std::move(before);
     if (cycle)
       cycle->set_terms(terms);
+  }
+
+
+
+  template <int dim>
+  BlockMatrix<dim>
+  LevelHierarchy<dim>::release_term(const unsigned int k)
+  {
+    return std::move(terms[k]);
   }
 
 
@@ -162,18 +189,11 @@ namespace StickSlip
   std::vector<unsigned int>
   LevelHierarchy<dim>::outdated_on_coarse_levels(const double threshold) const
   {
-    // A change far below the diagonal of the matrix is none, whatever it is
-    // compared with.
-    constexpr double                 negligible = 1e-2;
-    const std::vector<unsigned int> &nodes      = finest().nonsmooth_nodes;
+    const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
     std::vector<unsigned int>        outdated;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (!active.is_equal_at(coarse_active, nodes[k]) ||
-          !is_close(current_hessians[k],
-                    coarse_hessians[k],
-                    A.diagonal_block(nodes[k]),
-                    threshold,
-                    negligible))
+          !is_close(current_hessians[k], coarse_hessians[k], threshold))
         outdated.push_back(k);
     return outdated;
   }
@@ -430,54 +450,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  bool
-  is_close(const Tensor<2, dim> &a,
-           const Tensor<2, dim> &b,
-           const Tensor<2, dim> &diagonal,
-           const double          threshold,
-           const double          negligible)
-  {
-    // Written so that a NaN is not close.
-    return (a - b).norm() <=
-           threshold * (b.norm() + negligible * diagonal.norm());
-  }
-
-
-
-  template <int dim>
-  bool
-  are_close(const LevelHierarchy<dim>         &hierarchy,
-            const std::vector<Tensor<2, dim>> &a,
-            const std::vector<Tensor<2, dim>> &b,
-            const double                       threshold,
-            const double                       negligible)
-  {
-    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (!is_close(a[k],
-                    b[k],
-                    hierarchy.matrix().diagonal_block(nodes[k]),
-                    threshold,
-                    negligible))
-        return false;
-    return true;
-  }
-
-
-
 #define STICKSLIP_INSTANTIATE(dim)                                     \
   template class LevelHierarchy<dim>;                                  \
   template void add_hessians<dim>(NodalVector &,                       \
                                   const double,                        \
                                   const std::vector<unsigned int> &,   \
                                   const std::vector<Tensor<2, dim>> &, \
-                                  const NodalVector &);                \
-  template bool are_close<dim>(const LevelHierarchy<dim> &,            \
-                               const std::vector<Tensor<2, dim>> &,    \
-                               const std::vector<Tensor<2, dim>> &,    \
-                               const double,                           \
-                               const double);
+                                  const NodalVector &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -53,6 +53,11 @@ namespace StickSlip
     update(std::vector<LevelDescription<dim>> new_levels,
            std::vector<BlockMatrix<dim>>      new_terms);
 
+    /** Give a term away, so that its memory is free before the next one is
+     * replaced. Until update() there is no operator then. */
+    BlockMatrix<dim>
+    release_term(const unsigned int k);
+
     /** Set the operator A. */
     void
     combine(const std::vector<double> &coefficients);
@@ -194,30 +199,6 @@ namespace StickSlip
                const std::vector<unsigned int>   &nodes,
                const std::vector<Tensor<2, dim>> &hessians,
                const NodalVector                 &x);
-
-  /** Whether two second derivatives differ by no more than @p threshold times
-   * the size of the second, plus @p negligible times that of the diagonal block
-   * of the operator. */
-  template <int dim>
-  bool
-  is_close(const Tensor<2, dim> &a,
-           const Tensor<2, dim> &b,
-           const Tensor<2, dim> &diagonal,
-           const double          threshold,
-           const double          negligible);
-
-  /**
-   * Whether no second derivative of @p a differs from that of @p b by more than
-   * @p threshold times the size of the latter plus @p negligible times that of
-   * the diagonal of the operator, on this process.
-   */
-  template <int dim>
-  bool
-  are_close(const LevelHierarchy<dim>         &hierarchy,
-            const std::vector<Tensor<2, dim>> &a,
-            const std::vector<Tensor<2, dim>> &b,
-            const double                       threshold,
-            const double                       negligible);
 } // namespace StickSlip
 
 #endif
