@@ -8,6 +8,7 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <stickslip/time/spatial_problem.h>
+#include <stickslip/tnnmg/linearised_operator.h>
 
 #include "stacked_bodies.h"
 
@@ -94,27 +95,6 @@ namespace StickSlip
                NodalVector               &w,
                const double               reduction = 1e-14)
   {
-    struct Operator
-    {
-      LevelHierarchy<dim> &hierarchy;
-
-      void
-      vmult(NodalVector &y, const NodalVector &x) const
-      {
-        hierarchy.vmult_linearised(y, x);
-      }
-    };
-    struct Preconditioner
-    {
-      LevelHierarchy<dim> &hierarchy;
-
-      void
-      vmult(NodalVector &y, const NodalVector &x) const
-      {
-        hierarchy.v_cycle(y, x);
-      }
-    };
-
     hierarchy.combine(coefficients);
     hierarchy.linearise(std::vector<Tensor<2, dim>>(
                           hierarchy.finest().nonsmooth_nodes.size()),
@@ -126,10 +106,10 @@ namespace StickSlip
     if (residual.l2_norm() == 0.)
       return;
     SolverControl control(500, reduction * residual.l2_norm());
-    SolverCG<NodalVector>(control).solve(Operator{hierarchy},
+    SolverCG<NodalVector>(control).solve(LinearisedOperator<dim>{hierarchy},
                                          correction,
                                          residual,
-                                         Preconditioner{hierarchy});
+                                         CyclePreconditioner<dim>{hierarchy});
     w += correction;
   }
 } // namespace StickSlip
