@@ -269,15 +269,43 @@ namespace StickSlip
                               const Tensor<1, dim> &v) const
   {
     AssertIndexRange(k, terms.size());
+    const Term &term = terms[k];
+    return hessian_with(term, v, term.law->derivative(slip_rate(v), term.data));
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  FaultFriction<dim>::secant_hessian(const unsigned int    k,
+                                     const Tensor<1, dim> &v,
+                                     const Tensor<1, dim> &force) const
+  {
+    AssertIndexRange(k, terms.size());
     const Term  &term = terms[k];
     const double V    = slip_rate(v);
+    if (V == 0. || term.load == 0.)
+      return hessian(k, v);
+    const double along = (tangential_part(v) / V) * tangential_part(force);
+    return hessian_with(
+      term, v, term.law->chord(V, along / term.load, term.data));
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  FaultFriction<dim>::hessian_with(const Term           &term,
+                                   const Tensor<1, dim> &v,
+                                   const double          slope)
+  {
     // The derivatives of the law may be infinite.
     if (term.load == 0.)
       return Tensor<2, dim>();
 
     const auto   bounded = [](const double x) { return std::min(x, 1e200); };
-    const double radial =
-      bounded(term.load * term.law->derivative(V, term.data));
+    const double V       = slip_rate(v);
+    const double radial  = bounded(term.load * slope);
     const double across =
       (V == 0.) ?
         radial :

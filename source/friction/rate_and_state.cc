@@ -194,6 +194,27 @@ namespace StickSlip
 
 
   double
+  RateAndStateLaw::chord(const double V,
+                         const double change,
+                         const double log_vmin) const
+  {
+    const double tangent = derivative(V, log_vmin);
+    const double z       = scaled_coefficient(V, log_vmin);
+    const double x       = std::max(change / parameters.a, -z);
+    if (x == 0. || !std::isfinite(tangent))
+      return tangent;
+
+    // ln(V) changes by x; asinh differs from it near Vmin.
+    const double logarithmic = tangent * (x / std::expm1(x));
+    return (regularisation == Regularisation::truncated) ?
+             logarithmic :
+             logarithmic * (1. + std::exp(-2. * z)) /
+               (1. + std::exp(-2. * z - x));
+  }
+
+
+
+  double
   RateAndStateLaw::potential(const double V, const double log_vmin) const
   {
     const double z = scaled_coefficient(V, log_vmin);

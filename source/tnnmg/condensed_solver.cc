@@ -165,13 +165,18 @@ namespace StickSlip
           0.5 * dot(change, sum) - increase(functional, w, previous);
       }
 
-    active              = hierarchy.finest().fixed;
-    summary.n_truncated = linearise(
-      functional, this->parameters, diagonal_blocks, w, hessians, active);
     scratch = 0.;
     for (unsigned int i = 0; i < n; ++i)
       scratch.local_element(entries.positions[i]) = residual[i];
     subtract_gradient(functional, w, scratch);
+    active              = hierarchy.finest().fixed;
+    summary.n_truncated = linearise(functional,
+                                    this->parameters,
+                                    diagonal_blocks,
+                                    w,
+                                    scratch,
+                                    hessians,
+                                    active);
     std::vector<bool> is_active(n);
     for (unsigned int i = 0; i < n; ++i)
       is_active[i] = active.is_active(entries.positions[i] / dim,

@@ -52,11 +52,11 @@ namespace StickSlip
       smooth(functional, b, w, summary);
     else
       smoothed_residual = residual;
-    summary.n_truncated = linearise(functional, w);
 
     NodalVector &rhs = scratch;
     rhs              = smoothed_residual;
     subtract_gradient(functional, w, rhs);
+    summary.n_truncated = linearise(functional, w, rhs);
     active.apply(rhs);
     summary.cycles = linear_correction->solve(correction, A_correction, rhs);
 
@@ -140,14 +140,15 @@ namespace StickSlip
   template <int dim>
   unsigned int
   TNNMGSolver<dim>::linearise(const NonsmoothFunctional<dim> &functional,
-                              const NodalVector              &w)
+                              const NodalVector              &w,
+                              const NodalVector              &force)
   {
     diagonal_blocks.clear();
     for (const unsigned int i : functional.nodes())
       diagonal_blocks.push_back(hierarchy.matrix().diagonal_block(i));
     active                         = hierarchy.finest().fixed;
     const unsigned int n_truncated = StickSlip::linearise(
-      functional, this->parameters, diagonal_blocks, w, hessians, active);
+      functional, this->parameters, diagonal_blocks, w, force, hessians, active);
     linear_correction->linearise(hessians, active);
     return Utilities::MPI::sum(n_truncated, w.get_mpi_communicator());
   }

@@ -128,6 +128,16 @@ namespace StickSlip
     Tensor<2, dim>
     hessian(const unsigned int k, const Tensor<1, dim> &v) const override;
 
+    /**
+     * The chord of the law in the direction of slip (FrictionLaw::chord()),
+     * for the change of the coefficient that takes up the tangential force in
+     * that direction; across it the same as hessian().
+     */
+    Tensor<2, dim>
+    secant_hessian(const unsigned int    k,
+                   const Tensor<1, dim> &v,
+                   const Tensor<1, dim> &force) const override;
+
     bool
     is_smooth(const unsigned int k, const Tensor<1, dim> &v) const override;
 
@@ -157,6 +167,10 @@ namespace StickSlip
       /** w_p sigma_n,p. */
       double load;
     };
+
+    /** The second derivative, of which the @p slope of the law is one part. */
+    static Tensor<2, dim>
+    hessian_with(const Term &term, const Tensor<1, dim> &v, const double slope);
 
     const std::vector<unsigned int>                       node_indices;
     const std::vector<double>                             weights;

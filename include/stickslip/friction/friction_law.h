@@ -45,6 +45,15 @@ namespace StickSlip
     derivative(const double V, const double data) const = 0;
 
     /**
+     * The slope of the chord of mu between V and the slip rate at which mu has
+     * changed by @p change, or where it has fallen to mu(0) if that comes
+     * first, s/m. Tends to the derivative for small changes, which is what is
+     * returned where a law has nothing better to say.
+     */
+    virtual double
+    chord(const double V, const double change, const double data) const;
+
+    /**
      * Phi(V), m/s.
      */
     virtual double
@@ -71,6 +80,14 @@ namespace StickSlip
               const double k,
               const double data) const = 0;
   };
+
+
+
+  inline double
+  FrictionLaw::chord(const double V, const double, const double data) const
+  {
+    return derivative(V, data);
+  }
 } // namespace StickSlip
 
 #endif

@@ -83,6 +83,11 @@ namespace StickSlip
                const double log_minimal_slip_rate) const override;
 
     double
+    chord(const double V,
+          const double change,
+          const double log_minimal_slip_rate) const override;
+
+    double
     potential(const double V,
               const double log_minimal_slip_rate) const override;
 

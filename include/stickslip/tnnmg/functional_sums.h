@@ -67,6 +67,7 @@ namespace StickSlip
             const TNNMGParameters             &parameters,
             const std::vector<Tensor<2, dim>> &diagonal_blocks,
             const NodalVector                 &w,
+            const NodalVector                 &force,
             std::vector<Tensor<2, dim>>       &hessians,
             NodeMask                          &active);
 } // namespace StickSlip

@@ -66,6 +66,19 @@ namespace StickSlip
     hessian(const unsigned int k, const Tensor<1, dim> &v) const = 0;
 
     /**
+     * What takes the place of the second derivative in a linear correction
+     * where @p force, the negative gradient of all that is minimised, is left
+     * at the node: symmetric, positive semidefinite, and close to hessian()
+     * if the force is small. Where phi_k is far from quadratic, the slope of
+     * its gradient over the way to the point at which phi_k alone balances
+     * the force tells more than that at v. By default the same as hessian().
+     */
+    virtual Tensor<2, dim>
+    secant_hessian(const unsigned int    k,
+                   const Tensor<1, dim> &v,
+                   const Tensor<1, dim> &force) const;
+
+    /**
      * Whether phi_k is twice differentiable in a neighbourhood of v. Where it
      * is not, the node's nonsmooth components are truncated from the
      * linearisation whatever the size of the second derivative.
@@ -98,6 +111,17 @@ namespace StickSlip
              const std::array<bool, dim> &active,
              const Tensor<1, dim>        &start) const = 0;
   };
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  NonsmoothFunctional<dim>::secant_hessian(const unsigned int    k,
+                                           const Tensor<1, dim> &v,
+                                           const Tensor<1, dim> &) const
+  {
+    return hessian(k, v);
+  }
 } // namespace StickSlip
 
 #endif

@@ -55,9 +55,12 @@ namespace StickSlip
            NodalVector                    &w,
            IterationSummary               &summary);
 
-    /** Step 2 at @p w; returns the number of truncated components. */
+    /** Step 2 at @p w, where @p force is the negative gradient of J; returns
+     * the number of truncated components. */
     unsigned int
-    linearise(const NonsmoothFunctional<dim> &functional, const NodalVector &w);
+    linearise(const NonsmoothFunctional<dim> &functional,
+              const NodalVector              &w,
+              const NodalVector              &force);
 
     LevelHierarchy<dim>                   &hierarchy;
     std::unique_ptr<LinearCorrection<dim>> linear_correction;
