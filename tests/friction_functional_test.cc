@@ -157,6 +157,53 @@ TYPED_TEST(FaultFrictionTest, DerivativesAgreeWithDifferences)
 
 
 
+TYPED_TEST(FaultFrictionTest, SecantTakesUpTheForceAlongSlip)
+{
+  constexpr int            dim      = TypeParam::value;
+  const FaultFriction<dim> friction = example<dim>();
+  std::mt19937             engine(7);
+  LogUniform               random_rate(1e-12, 1.);
+  unsigned int             n_compared = 0;
+  for (unsigned int i = 0; i < 300; ++i)
+    for (unsigned int k = 0; k < friction.nodes().size(); ++k)
+      {
+        Tensor<1, dim> v = random_vector<dim>(engine, random_rate(engine));
+        v[dim - 1]       = 0.;
+        const Tensor<1, dim> gradient = friction.gradient(k, v);
+        const Tensor<2, dim> hessian  = friction.hessian(k, v);
+        EXPECT_EQ(friction.secant_hessian(k, v, Tensor<1, dim>()), hessian);
+        if (gradient.norm() == 0.)
+          continue;
+
+        // A force along the slip and some across it, which does not matter.
+        const double         fraction = (i % 2) ? 0.1 : -0.1;
+        const Tensor<1, dim> aside    = random_vector<dim>(engine, 1.);
+        const Tensor<1, dim> slip     = v / v.norm();
+        const Tensor<1, dim> force =
+          fraction * gradient +
+          gradient.norm() * (aside - (aside * slip) * slip);
+        const Tensor<2, dim> secant = friction.secant_hessian(k, v, force);
+        const Tensor<1, dim> change =
+          (fraction * gradient.norm() / (slip * (secant * slip))) * slip;
+        // Where it is near Vmin the logarithm does not go on.
+        if (friction.gradient(k, v + change).norm() == 0.)
+          continue;
+        ++n_compared;
+        EXPECT_LE((friction.gradient(k, v + change) -
+                   (1. + fraction) * gradient)
+                    .norm(),
+                  1e-9 * gradient.norm());
+        EXPECT_LE((secant - hessian -
+                   (slip * ((secant - hessian) * slip)) *
+                     outer_product(slip, slip))
+                    .norm(),
+                  1e-12 * hessian.norm());
+      }
+  EXPECT_GT(n_compared, 300u);
+}
+
+
+
 TYPED_TEST(FaultFrictionTest, IsConvexAlongLines)
 {
   constexpr int            dim      = TypeParam::value;

@@ -142,6 +142,52 @@ TEST_P(RateAndState, CoefficientAndDerivativesAgreeWithHighPrecision)
 
 
 
+TEST_P(RateAndState, ChordLeadsToTheChangedCoefficient)
+{
+  LogUniform random_rate(1e-30, 10.), random_size(1e-9, 1.);
+  for (unsigned int i = 0; i < 5000; ++i)
+    {
+      const double log_vmin = random_log_vmin();
+      const double V        = random_rate(engine);
+      const double mu       = law.coefficient(V, log_vmin);
+      if (!law.is_smooth(V, log_vmin))
+        {
+          EXPECT_EQ(law.chord(V, 0.1, log_vmin), 0.);
+          continue;
+        }
+      // Friction cannot fall below zero.
+      const double change =
+        std::max((i % 2 ? 1. : -1.) * random_size(engine), -mu);
+      if (std::abs(change) < 1e-9 * mu)
+        continue;
+      const Real old_z = Reference::scaled_coefficient(GetParam(), V, log_vmin);
+      const Real z     = std::max(Real(0), old_z + change / parameters.a);
+      const Real factor =
+        (GetParam() == Regularisation::truncated) ? exp(z) : 2 * sinh(z);
+      const Real chord =
+        parameters.a * (z - old_z) / (exp(Real(log_vmin)) * factor - V);
+      // What one rounding of the logarithms does to the change in V.
+      const double rounding =
+        epsilon * (1. + std::abs(std::log(V)) + std::abs(log_vmin)) *
+        (1. + parameters.a / std::abs(change) +
+         1. / static_cast<double>(old_z));
+      if (chord > std::numeric_limits<double>::min())
+        EXPECT_LT(Reference::relative_error(law.chord(V, change, log_vmin),
+                                            chord),
+                  4. * rounding);
+      else
+        EXPECT_LE(law.chord(V, change, log_vmin),
+                  std::numeric_limits<double>::min());
+
+      EXPECT_EQ(law.chord(V, 0., log_vmin), law.derivative(V, log_vmin));
+      // From there on it is the same.
+      EXPECT_EQ(law.chord(V, -2. * mu, log_vmin),
+                law.chord(V, -3. * mu, log_vmin));
+    }
+}
+
+
+
 TEST_P(RateAndState, PotentialIsTheIntegralOfTheCoefficient)
 {
   boost::math::quadrature::gauss_kronrod<long double, 61> quadrature;

@@ -16,23 +16,25 @@ namespace StickSlip::Tests
   /**
    * The rate problem of two bodies of 5 m x 1 m in uniform shear, the lower one
    * held at its bottom and the upper one dragged along at its top. Gravity is
-   * left out; the normal stress on the fault is given.
+   * left out; the normal stress on the fault is given. In three dimensions the
+   * bodies are 5 m wide as well.
    */
-  struct LayeredSlider
+  template <int dim>
+  struct LayeredSliderIn
   {
     static constexpr double normal_stress   = 4.9e4;
     static constexpr double loading_rate    = 2e-4;
     static constexpr double first_body_base = -1.;
 
-    MeshHierarchy<2>  meshes;
-    BoundaryValues<2> boundary;
-    SpatialProblem<2> problem;
+    MeshHierarchy<dim>  meshes;
+    BoundaryValues<dim> boundary;
+    SpatialProblem<dim> problem;
 
-    LayeredSlider(const std::array<unsigned int, 2> &lower_cells,
-                  const std::array<unsigned int, 2> &upper_cells,
-                  const unsigned int                 refinement_passes,
-                  const MPI_Comm     communicator          = MPI_COMM_WORLD,
-                  const unsigned int min_nodes_per_process = 500)
+    LayeredSliderIn(const std::array<unsigned int, dim> &lower_cells,
+                    const std::array<unsigned int, dim> &upper_cells,
+                    const unsigned int                   refinement_passes,
+                    const MPI_Comm     communicator          = MPI_COMM_WORLD,
+                    const unsigned int min_nodes_per_process = 500)
       : meshes({body(first_body_base, lower_cells, refinement_passes),
                 body(first_body_base + 1., upper_cells, refinement_passes)},
                communicator,
@@ -50,28 +52,28 @@ namespace StickSlip::Tests
     NodalVector
     set_step(const double tau, const double traction)
     {
-      SystemState<2> state;
+      SystemState<dim> state;
       state.time          = 10.;
       state.velocity      = problem.make_nodal_vector();
       state.acceleration  = problem.make_nodal_vector();
       state.displacement  = problem.make_nodal_vector();
       NodalVector  w      = problem.make_vector();
       const double strain = traction / Material().shear_modulus();
-      for_each_node([&](const unsigned int node, const Point<2> &x) {
-        state.displacement.local_element(2 * node) =
-          strain * (x[1] - first_body_base);
-        state.velocity.local_element(2 * node) =
-          loading_rate * (x[1] - first_body_base) / 2.;
+      for_each_node([&](const unsigned int node, const Point<dim> &x) {
+        state.displacement.local_element(dim * node) =
+          strain * (x[dim - 1] - first_body_base);
+        state.velocity.local_element(dim * node) =
+          loading_rate * (x[dim - 1] - first_body_base) / 2.;
       });
       problem.to_jumps(w, state.displacement);
 
       // Uniform shear pulls at the free sides; a V-cycle halves the error.
-      LevelHierarchy<2> &hierarchy = problem.hierarchy();
+      LevelHierarchy<dim> &hierarchy = problem.hierarchy();
       hierarchy.combine({0., 0., 1.});
       NodeMask stuck = hierarchy.finest().fixed;
       for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
         stuck.mask_node(p);
-      hierarchy.linearise(std::vector<Tensor<2, 2>>(
+      hierarchy.linearise(std::vector<Tensor<2, dim>>(
                             hierarchy.finest().nonsmooth_nodes.size()),
                           stuck);
       const NodalVector zero     = problem.make_vector();
@@ -100,14 +102,14 @@ namespace StickSlip::Tests
 
     /** Friction with the state alpha at a position along the fault and the
      * number of the node. */
-    Friction<2>
+    Friction<dim>
     friction(
       const Kind                                                 kind,
       const std::function<double(const double, const unsigned)> &alpha) const
     {
-      const FaultContact<2>     &contact = problem.jump_basis().faults()[0];
-      const LevelDescription<2> &finest  = problem.hierarchy().finest();
-      std::vector<double>        weights, states;
+      const FaultContact<dim>     &contact = problem.jump_basis().faults()[0];
+      const LevelDescription<dim> &finest  = problem.hierarchy().finest();
+      std::vector<double>          weights, states;
       for (const unsigned int node : finest.nonsmooth_nodes)
         {
           const unsigned int k = std::find(contact.slave_nodes.begin(),
@@ -117,19 +119,19 @@ namespace StickSlip::Tests
           weights.push_back(contact.coupling.weight[k]);
           states.push_back(alpha(contact.slave_surface.points[k][0], k));
         }
-      return make_friction<2>(
+      return make_friction<dim>(
         kind, finest.nonsmooth_nodes, weights, normal_stress, states);
     }
 
     /** The owned ones. */
     void
     for_each_node(const std::function<void(const unsigned int,
-                                           const Point<2> &)> &action) const
+                                           const Point<dim> &)> &action) const
     {
-      const MeshLevel<2> &level = meshes.finest();
+      const MeshLevel<dim> &level = meshes.finest();
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
         {
-          const std::vector<Point<2>> points =
+          const std::vector<Point<dim>> points =
             level.bodies[b]->node_positions();
           for (unsigned int i = 0; i < points.size(); ++i)
             if (level.nodes.owned().is_element(level.global_node(b, i)))
@@ -138,32 +140,35 @@ namespace StickSlip::Tests
     }
 
   private:
-    static BodyGeometry<2>
-    body(const double                       base,
-         const std::array<unsigned int, 2> &cells,
-         const unsigned int                 passes)
+    static BodyGeometry<dim>
+    body(const double                         base,
+         const std::array<unsigned int, dim> &cells,
+         const unsigned int                   passes)
     {
-      BodyGeometry<2> geometry;
+      BodyGeometry<dim> geometry;
       geometry.base              = base;
       geometry.coarse_cells      = cells;
       geometry.refinement_passes = passes;
       return geometry;
     }
 
-    static std::vector<BoundaryCondition<2>>
+    static std::vector<BoundaryCondition<dim>>
     conditions()
     {
-      BoundaryCondition<2> bottom, top;
-      bottom.body       = "lower";
-      bottom.side       = BodyMesh<2>::lower_side;
-      bottom.type       = {{BoundaryType::fixed, BoundaryType::fixed}};
-      top.body          = "upper";
-      top.side          = BodyMesh<2>::upper_side;
-      top.type          = {{BoundaryType::velocity, BoundaryType::free}};
+      BoundaryCondition<dim> bottom, top;
+      bottom.body = "lower";
+      bottom.side = BodyMesh<dim>::lower_side;
+      bottom.type.fill(BoundaryType::fixed);
+      top.body = "upper";
+      top.side = BodyMesh<dim>::upper_side;
+      top.type.fill(BoundaryType::free);
+      top.type[0]       = BoundaryType::velocity;
       top.expression[0] = "2e-4";
       return {bottom, top};
     }
   };
+
+  using LayeredSlider = LayeredSliderIn<2>;
 } // namespace StickSlip::Tests
 
 #endif

@@ -287,8 +287,9 @@ namespace StickSlip
     if (V == 0. || term.load == 0.)
       return hessian(k, v);
     const double along = (tangential_part(v) / V) * tangential_part(force);
-    return hessian_with(
-      term, v, term.law->chord(V, along / term.load, term.data));
+    return hessian_with(term,
+                        v,
+                        term.law->chord(V, along / term.load, term.data));
   }
 
 

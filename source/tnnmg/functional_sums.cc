@@ -124,7 +124,6 @@ namespace StickSlip
   {
     const std::vector<unsigned int> &nodes = functional.nodes();
     AssertDimension(diagonal_blocks.size(), nodes.size());
-    static const bool dt = getenv("DTRUNC"), nochord = getenv("NOCHORD");
     unsigned int n_truncated = 0;
     hessians.assign(nodes.size(), Tensor<2, dim>());
     for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -137,10 +136,11 @@ namespace StickSlip
             smooth = functional.is_smooth(k, v);
             if (smooth)
               {
-                hessians[k] = nochord ? functional.hessian(k, v) : functional.secant_hessian(k, v, block<dim>(force, i));
-                smooth      = is_moderate(functional,
+                hessians[k] =
+                  functional.secant_hessian(k, v, block<dim>(force, i));
+                smooth = is_moderate(functional,
                                      k,
-                                     dt ? functional.hessian(k, v) : hessians[k],
+                                     hessians[k],
                                      diagonal_blocks[k],
                                      parameters.truncation_factor);
               }

@@ -26,8 +26,8 @@ namespace StickSlip
                "Truncation factor",
                truncation_factor,
                NumberRange().above(0),
-               "An unknown is left out of the linear correction where the "
-               "curvature of the friction exceeds this times the diagonal of "
+               "A node is left out of the linear correction where the least "
+               "curvature of its friction exceeds this times the diagonal of "
                "the matrix, without unit.");
     add_choice(prm,
                "Linear correction",

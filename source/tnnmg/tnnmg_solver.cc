@@ -147,8 +147,13 @@ namespace StickSlip
     for (const unsigned int i : functional.nodes())
       diagonal_blocks.push_back(hierarchy.matrix().diagonal_block(i));
     active                         = hierarchy.finest().fixed;
-    const unsigned int n_truncated = StickSlip::linearise(
-      functional, this->parameters, diagonal_blocks, w, force, hessians, active);
+    const unsigned int n_truncated = StickSlip::linearise(functional,
+                                                          this->parameters,
+                                                          diagonal_blocks,
+                                                          w,
+                                                          force,
+                                                          hessians,
+                                                          active);
     linear_correction->linearise(hessians, active);
     return Utilities::MPI::sum(n_truncated, w.get_mpi_communicator());
   }

@@ -51,12 +51,14 @@ namespace StickSlip
                     NodalVector                    &r);
 
   /**
-   * The second derivative of phi at w, a block for each of its nodes, and the
-   * truncation. Components are truncated, that is masked in @p active, which
-   * holds those that are not fixed at first, where phi is not smooth or its
-   * second derivative exceeds parameters.truncation_factor times the
-   * diagonal of A, @p diagonal_blocks. Without nonlinear smoothing only
-   * those are truncated where there is no second derivative.
+   * The curvature of phi at w, a block for each of its nodes
+   * (NonsmoothFunctional::secant_hessian() with @p force, the negative
+   * gradient of J), and the truncation: all components of a node that phi
+   * depends on are masked in @p active, which holds those that are not fixed
+   * at first, where phi is not smooth or the least curvature of the node
+   * exceeds parameters.truncation_factor times the diagonal of A,
+   * @p diagonal_blocks. Without nonlinear smoothing it is the second
+   * derivative of phi, and only those are truncated where there is none.
    *
    * Returns the number of truncated components of this process; not
    * collective.

@@ -43,8 +43,8 @@ namespace StickSlip
     unsigned int max_iterations = 100;
 
     /**
-     * A component is truncated where the second derivative of the nonsmooth
-     * term exceeds this times the diagonal of the matrix.
+     * A node is truncated where the least curvature of its nonsmooth term
+     * exceeds this times the diagonal of the matrix.
      */
     double truncation_factor = 10.;
 
