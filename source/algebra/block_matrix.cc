@@ -53,13 +53,7 @@ namespace StickSlip
   BlockSparsity::coupled_to(const std::vector<unsigned int> &rows) const
   {
     // The diagonal belongs to each row.
-    std::vector<unsigned int> result;
-    for (const unsigned int i : rows)
-      result.insert(result.end(),
-                    column.begin() + row_start[i],
-                    column.begin() + row_start[i + 1]);
-    make_set(result);
-    return result;
+    return columns_of_rows(row_start, column, rows);
   }
 
 

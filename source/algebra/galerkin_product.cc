@@ -327,14 +327,8 @@ namespace StickSlip
   GalerkinProduct<dim>::rows_from(
     const std::vector<unsigned int> &fine_rows) const
   {
-    const auto               &P = transfer.matrix();
-    std::vector<unsigned int> rows;
-    for (const unsigned int i : fine_rows)
-      rows.insert(rows.end(),
-                  P.column.begin() + P.row_start[i],
-                  P.column.begin() + P.row_start[i + 1]);
-    make_set(rows);
-    return rows;
+    const auto &P = transfer.matrix();
+    return columns_of_rows(P.row_start, P.column, fine_rows);
   }
 
 

@@ -6,6 +6,7 @@
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
 #include <Epetra_LinearProblem.h>
+#include <Teuchos_ParameterList.hpp>
 #include <stickslip/tnnmg/direct_coarse_solver.h>
 
 #include <string>
@@ -29,6 +30,11 @@ namespace StickSlip
                                                              "Amesos_Klu";
       std::unique_ptr<Amesos_BaseSolver> result(factory.Create(name, problem));
       AssertThrow(result, ExcMessage("This Trilinos lacks " + name + "."));
+      // KLU keeps the pivots of the first factors: the matrix is symmetric and
+      // positive definite, and any would do.
+      Teuchos::ParameterList parameters;
+      parameters.set("Refactorize", true);
+      result->SetParameters(parameters);
       return result;
     }
   } // namespace

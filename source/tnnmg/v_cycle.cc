@@ -328,9 +328,12 @@ namespace StickSlip
           for (const unsigned int i : descriptions[l - 1].nonsmooth_nodes)
             if (!coarse.active.is_equal_at(before, i))
               masked.push_back(i);
-          masked = coarse.matrix.sparsity().coupled_to(masked);
-          rows.insert(rows.end(), masked.begin(), masked.end());
-          make_set(rows);
+          if (!masked.empty())
+            {
+              masked = coarse.matrix.sparsity().coupled_to(masked);
+              rows.insert(rows.end(), masked.begin(), masked.end());
+              make_set(rows);
+            }
         }
       changed = std::move(rows);
 
