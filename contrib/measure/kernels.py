@@ -3,7 +3,10 @@
 """The speed of the kernels, and what changes of the operator cost."""
 
 from . import page, programs
-from .scenes import MESHES, STATES
+from .scenes import MESHES, STATES, UNIFORM, Mesh
+
+# The rows of matrices of meshes of cells of one size.
+KERNELS = {dim: Mesh("kernel", UNIFORM, {}, "", int(dim), 1) for dim in "23"}
 
 
 class Kernels:
@@ -15,7 +18,23 @@ class Kernels:
         if not quick:
             rows["portable"] = programs.run("kernel_speed_portable", [], 120)
         log("kernels measured")
-        return [], rows
+        records = [
+            programs.make_record(
+                Kernels.SECTION,
+                KERNELS[row["dim"]],
+                "",
+                "",
+                f"{row['kernel']}, {row['number']}",
+                unknowns=row["unknowns"],
+                solve_s=float(row["ns_per_unknown"]) * float(row["unknowns"]) * 1e-9,
+                bytes_per_unknown=row["bytes_per_unknown"],
+                note=build,
+            )
+            for build, measured in rows.items()
+            for row in measured
+            if row["dim"] != "0"
+        ]
+        return records, rows
 
     @staticmethod
     def text(_, measured):
@@ -86,7 +105,29 @@ class Costs:
             except programs.Failed as reason:
                 log(f"{name}: {reason}")
         log("costs measured")
-        return [], rows
+        records = [
+            programs.make_record(
+                Costs.SECTION,
+                MESHES[row["problem"]],
+                "",
+                row["tau"],
+                what,
+                unknowns=row["unknowns"],
+                setup_s=row["assembly_s"],
+                solve_s=row[f"{part}_s"],
+                bytes_per_unknown=row["bytes_per_unknown"],
+            )
+            for row in rows
+            for what, part in (
+                ("V-cycle", "v_cycle"),
+                ("new step size", "new_tau"),
+                ("new curvature", "new_hessian"),
+                ("new truncation", "new_truncation"),
+                ("truncation at 1 %", "moved_front"),
+                ("new contact mapping", "contact"),
+            )
+        ]
+        return records, rows
 
     @staticmethod
     def text(_, rows):

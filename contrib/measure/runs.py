@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-from . import page, programs
+from . import page, programs, scenes
 
 SECTION = "runs"
 PUBLISHED = {
@@ -102,7 +102,29 @@ def measure(quick, log):
             for started in [start(run, folder, end_time) for run in TOGETHER]:
                 done.append(finish(started))
                 log(f"{done[-1]['title']}: {done[-1]['wall_s']:.0f} s")
-    return [], done
+    return [record(run) for run in done], done
+
+
+def record(run):
+    """A row of the table of all results; the time is that of the whole run."""
+
+    def entry(name):
+        return run.get(name, "").split(" ")[0]
+
+    vertices = entry("Mesh of all bodies/vertices")
+    bodies = sum(name.endswith("/vertices") for name in run) - 1
+    return programs.make_record(
+        SECTION,
+        scenes.Mesh(run["title"], "", {}, bodies=bodies),
+        "",
+        "",
+        "TNNMG",
+        unknowns=2 * int(vertices) if vertices else "",
+        iterations=entry("Iterations/TNNMG, all steps"),
+        cycles=entry("Iterations/multigrid cycles, all steps"),
+        solve_s=run["wall_s"],
+        note=f"to t = {entry('Run/simulated time')} s",
+    )
 
 
 def first_events(run):
