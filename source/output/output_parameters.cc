@@ -78,5 +78,10 @@ namespace StickSlip
                NumberRange().above(0).at_most(1),
                "An event ends when the mean slip rate falls below this "
                "fraction of the rate at which it begins, without unit.");
+    add_switch(prm,
+               "Energy balance",
+               energy_balance,
+               "Whether the work of all forces is added up in every step, and "
+               "compared with the change of energy in summary.txt.");
   }
 } // namespace StickSlip

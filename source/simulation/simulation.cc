@@ -5,6 +5,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/output/interrupt.h>
+#include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/scene_checks.h>
@@ -169,6 +170,8 @@ namespace StickSlip
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
     current       = make_initial_state(scene, basis, equilibrium);
     slip_at_build = current.slip;
+    if (scene.output.energy_balance)
+      energy = std::make_unique<EnergyBalance<dim>>(problem, faults, current);
 
     rate_state_step      = std::make_unique<RateStateStep<dim>>(problem,
                                                            faults,
@@ -207,6 +210,11 @@ namespace StickSlip
     step_size_range.first  = std::min(step_size_range.first, step.step_size);
     step_size_range.second = std::max(step_size_range.second, step.step_size);
 
+    if (energy)
+      {
+        TimerOutput::Scope section(timer, "Energy balance");
+        energy->add(current);
+      }
     TimerOutput::Scope section(timer, "Output");
     if (record)
       {
@@ -264,6 +272,8 @@ namespace StickSlip
       }
     problem.to_nodal(current.velocity, w);
     current.slip_rate = faults.tangential_jumps(w);
+    if (energy)
+      energy->reinit(current);
   }
 
 
@@ -325,6 +335,9 @@ namespace StickSlip
                         "nodes in tension at the start, without friction",
                         nodes_in_tension);
 
+    if (energy && problem.is_coupled())
+      summarise_energy(summary, *energy, current);
+
     summary.add("Wall time",
                 "Meshes and matrices",
                 construction_timer.last_wall_time(),
@@ -383,6 +396,15 @@ namespace StickSlip
   Simulation<dim>::fault_nodes()
   {
     return faults;
+  }
+
+
+
+  template <int dim>
+  const EnergyBalance<dim> *
+  Simulation<dim>::energy_balance() const
+  {
+    return energy.get();
   }
 
 

@@ -367,13 +367,22 @@ namespace StickSlip
 
   template <int dim>
   NodalVector
+  SpatialProblem<dim>::to_dual(const NodalVector &f) const
+  {
+    NodalVector dual = make_vector();
+    to_jump_basis->prolongation().restrict_to(dual, f, dim);
+    return dual;
+  }
+
+
+
+  template <int dim>
+  NodalVector
   SpatialProblem<dim>::load(const double time)
   {
     NodalVector nodal = gravity_load;
     boundary.add_tractions(time, nodal);
-    NodalVector dual = make_vector();
-    to_jump_basis->prolongation().restrict_to(dual, nodal, dim);
-    return dual;
+    return to_dual(nodal);
   }
 
 

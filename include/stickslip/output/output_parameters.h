@@ -45,6 +45,9 @@ namespace StickSlip
     /** An event ends when it falls below this fraction of the former. */
     double event_end_fraction = 0.5;
 
+    /** Whether to keep account of the energy for the summary. */
+    bool energy_balance = true;
+
     /** Declare the entries in the current subsection of @p prm. */
     void
     add_parameters(ParameterHandler &prm);

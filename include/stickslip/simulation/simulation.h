@@ -8,6 +8,7 @@
 
 #include <stickslip/simulation/run_record.h>
 #include <stickslip/simulation/scene_parameters.h>
+#include <stickslip/time/energy_balance.h>
 #include <stickslip/time/step_size_control.h>
 
 namespace StickSlip
@@ -46,6 +47,10 @@ namespace StickSlip
     FaultNodes<dim> &
     fault_nodes();
 
+    /** Null where the scene asks for none. */
+    const EnergyBalance<dim> *
+    energy_balance() const;
+
     /** Find the static equilibrium and what follows from it. */
     void
     set_up();
@@ -80,6 +85,7 @@ namespace StickSlip
     std::unique_ptr<RateStateStep<dim>>      rate_state_step;
     std::unique_ptr<StepSizeController<dim>> step_size_controller;
     std::unique_ptr<RunRecord<dim>>          record;
+    std::unique_ptr<EnergyBalance<dim>>      energy;
 
     SystemState<dim>                current;
     unsigned int                    step_number = 0;

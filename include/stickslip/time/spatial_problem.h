@@ -71,7 +71,7 @@ namespace StickSlip
     const JumpBasis<dim> &
     jump_basis() const;
 
-    /** w = B^-1 u. This, the next and load() are collective. */
+    /** w = B^-1 u. This and the next three are collective. */
     void
     to_jumps(NodalVector &w, const NodalVector &u) const;
 
@@ -79,7 +79,11 @@ namespace StickSlip
     void
     to_nodal(NodalVector &u, const NodalVector &w) const;
 
-    /** The load at @p time as a dual vector of the jump basis, B^T f. */
+    /** B^T f of nodal forces: a dual vector of the jump basis. */
+    NodalVector
+    to_dual(const NodalVector &f) const;
+
+    /** The load at @p time as a dual vector of the jump basis. */
     NodalVector
     load(const double time);
 

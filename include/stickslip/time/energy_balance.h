@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_energy_balance_h
+#define stickslip_time_energy_balance_h
+
+#include <stickslip/time/fault_nodes.h>
+#include <stickslip/time/spatial_problem.h>
+#include <stickslip/time/system_state.h>
+
+namespace StickSlip
+{
+  /**
+   * Rates at which the energy of the bodies changes, W (per m in plane
+   * strain), or their integrals over time, J.
+   */
+  struct EnergyTerms
+  {
+    /** Of gravity and of prescribed tractions. */
+    double loads = 0;
+    /** Of the forces that prescribed velocities need. */
+    double driven_sides = 0;
+    /** Dissipated by viscosity and by friction, positive. */
+    double viscosity = 0, friction = 0;
+
+    /** What all of them add to the kinetic and elastic energy. */
+    double
+    gain() const;
+
+    /** *this += factor * other. */
+    void
+    add(const double factor, const EnergyTerms &other);
+  };
+
+  /**
+   * Keeps account of the energy in a run. With the equation of motion
+   *
+   *   M a + C v + K u + friction = f + forces at driven sides,
+   *
+   * kinetic and elastic energy change by the work of the loads and of the
+   * driven sides less what viscosity and friction dissipate. Friction is taken
+   * from the law, not from the equation; its forces and all others are
+   * integrated over time by the trapezoidal rule. The defect then is the error
+   * of time stepping and solver as the energy sees it, of second order in the
+   * step size.
+   */
+  template <int dim>
+  class EnergyBalance
+  {
+  public:
+    /** Problem and faults must live longer; @p start: the state from which on
+     * the account is kept. Collective, as the next two. */
+    EnergyBalance(SpatialProblem<dim>    &problem,
+                  const FaultNodes<dim>  &faults,
+                  const SystemState<dim> &start);
+
+    /** Add a step to @p state, before the contact mapping follows it. */
+    void
+    add(const SystemState<dim> &state);
+
+    /** To be called when contact mapping and velocities have changed; the
+     * energy that this adds or takes goes into the defect. */
+    void
+    reinit(const SystemState<dim> &state);
+
+    /** What has been added since the start. */
+    const EnergyTerms &
+    work() const;
+
+    /** 1/2 v . M v and 1/2 u . K u, J. Collective. */
+    double
+    kinetic_energy(const SystemState<dim> &state) const;
+
+    double
+    elastic_energy(const SystemState<dim> &state) const;
+
+    /** The change of kinetic and elastic energy since the start that is not
+     * in work(), J. Collective. */
+    double
+    defect(const SystemState<dim> &state) const;
+
+  private:
+    /** At one time. */
+    EnergyTerms
+    powers(const SystemState<dim> &state) const;
+
+    /** 1/2 x . A x of nodal values and a term of the problem. */
+    double
+    quadratic_form(const unsigned int term, const NodalVector &x) const;
+
+    SpatialProblem<dim>   &problem;
+    const FaultNodes<dim> &faults;
+    const bool             is_viscous;
+    const double           initial_energy;
+    double                 last_time;
+    EnergyTerms            last_powers, total;
+  };
+} // namespace StickSlip
+
+#endif
