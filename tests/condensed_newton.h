@@ -105,7 +105,7 @@ namespace StickSlip::Reference
     {
       NodeMask active = dirichlet;
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        for (const auto &line : level.bodies[b]->hanging_nodes().get_lines())
+        for (const auto &line : level.bodies[b]->bound_nodes().get_lines())
           active.mask_node(level.node(b, line.index));
 
       // The rows of G: one for the jump of each active slave node.

@@ -196,7 +196,7 @@ namespace
     // Velocities at all nodes but the hanging ones, which have none.
     NodeMask hanging(u.locally_owned_size() / 2, 2);
     for (unsigned int body = 0; body < level.bodies.size(); ++body)
-      for (const auto &line : level.bodies[body]->hanging_nodes().get_lines())
+      for (const auto &line : level.bodies[body]->bound_nodes().get_lines())
         hanging.mask_node(level.node(body, line.index));
     hanging.apply(u);
     const double largest = u.linfty_norm();

@@ -108,8 +108,8 @@ namespace
         EXPECT_EQ(one.triangulation().n_active_cells(),
                   other.triangulation().n_active_cells());
         EXPECT_EQ(one.dof_handler().n_dofs(), other.dof_handler().n_dofs());
-        EXPECT_EQ(one.hanging_nodes().n_constraints(),
-                  other.hanging_nodes().n_constraints());
+        EXPECT_EQ(one.bound_nodes().n_constraints(),
+                  other.bound_nodes().n_constraints());
         EXPECT_NEAR(one.cell_diameters().first,
                     other.cell_diameters().first,
                     1e-12);
@@ -256,7 +256,7 @@ TEST(MeshCounts, SurfacesCoverTheWholeSideInThreeDimensions)
         const double n = std::sqrt(surface.faces.size());
         EXPECT_EQ(surface.dofs.size(), std::lround((n + 1) * (n + 1)));
         for (const auto dof : surface.dofs)
-          EXPECT_FALSE(body.hanging_nodes().is_constrained(dof));
+          EXPECT_FALSE(body.bound_nodes().is_constrained(dof));
         for (const auto &point : surface.points)
           EXPECT_EQ(point[2], 3.);
         double area = 0.;

@@ -20,7 +20,7 @@ namespace
   {
     unsigned int n = 0;
     for (const auto &body : level.bodies)
-      n += body->hanging_nodes().n_constraints();
+      n += body->bound_nodes().n_constraints();
     return n;
   }
 

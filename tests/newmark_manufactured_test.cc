@@ -205,7 +205,7 @@ namespace
       NodalVector         displacement = state.displacement;
       const MeshLevel<2> &level        = scene.meshes.finest();
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        for (const auto &line : level.bodies[b]->hanging_nodes().get_lines())
+        for (const auto &line : level.bodies[b]->bound_nodes().get_lines())
           for (unsigned int c = 0; c < 2; ++c)
             {
               double &value =
@@ -290,7 +290,7 @@ namespace
       // What acts on a hanging node acts on those that carry it.
       const MeshLevel<2> &level = scene.meshes.finest();
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        for (const auto &line : level.bodies[b]->hanging_nodes().get_lines())
+        for (const auto &line : level.bodies[b]->bound_nodes().get_lines())
           for (unsigned int c = 0; c < 2; ++c)
             {
               double &load =

@@ -118,7 +118,7 @@ namespace StickSlip
                 dof,
                 level.node(b, dof),
                 positions[dof],
-                body.hanging_nodes().is_constrained(dof));
+                body.bound_nodes().is_constrained(dof));
       }
   }
 
@@ -167,7 +167,7 @@ namespace StickSlip
   fill_hanging_nodes(const MeshLevel<dim> &level, NodalVector &values)
   {
     for (unsigned int b = 0; b < level.bodies.size(); ++b)
-      for (const auto &line : level.bodies[b]->hanging_nodes().get_lines())
+      for (const auto &line : level.bodies[b]->bound_nodes().get_lines())
         for (unsigned int c = 0; c < dim; ++c)
           {
             double sum = 0.;

@@ -111,7 +111,7 @@ namespace
         levels[l].nonsmooth_nodes = bases[l].contact_nodes();
         levels[l].fixed           = dirichlet;
         for (unsigned int b = 0; b < mesh.bodies.size(); ++b)
-          for (const auto &line : mesh.bodies[b]->hanging_nodes().get_lines())
+          for (const auto &line : mesh.bodies[b]->bound_nodes().get_lines())
             levels[l].fixed.mask_node(mesh.node(b, line.index));
         for (const unsigned int p : levels[l].nonsmooth_nodes)
           levels[l].fixed.mask(p, 1);

@@ -11,6 +11,7 @@ namespace StickSlip
   {
     lateral_lower.fill(-2.5);
     lateral_upper.fill(2.5);
+    periodic.fill(false);
     coarse_cells.fill(10);
     coarse_cells[dim - 1] = 2;
   }
@@ -39,6 +40,19 @@ namespace StickSlip
       corner[axis] = lateral_upper[axis];
     corner[dim - 1] = base + thickness;
     return corner;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim - 1>
+  BodyGeometry<dim>::period() const
+  {
+    Tensor<1, dim - 1> period;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      if (periodic[axis])
+        period[axis] = lateral_upper[axis] - lateral_lower[axis];
+    return period;
   }
 
 

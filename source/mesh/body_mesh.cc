@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace StickSlip
 {
@@ -69,7 +70,9 @@ namespace StickSlip
   BodyMesh<dim>::BodyMesh(const BodyGeometry<dim> &geometry,
                           const bool               fault_below,
                           const bool               fault_above)
-    : mesh(std::make_unique<Triangulation<dim>>())
+    : lateral_lower(geometry.lateral_lower)
+    , period(geometry.period())
+    , mesh(std::make_unique<Triangulation<dim>>())
   {
     GridGenerator::subdivided_hyper_rectangle(
       *mesh,
@@ -81,6 +84,7 @@ namespace StickSlip
     const auto unrefined = std::make_shared<Triangulation<dim>>();
     unrefined->copy_triangulation(*mesh);
     coarse_cells = unrefined;
+    join_periodic_sides(*mesh);
     mesh->refine_global(geometry.uniform_refinements);
 
     const auto touches_a_fault = [&](const auto &cell) {
@@ -116,7 +120,9 @@ namespace StickSlip
 
   template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyMesh &finer)
-    : coarse_cells(finer.coarse_cells)
+    : lateral_lower(finer.lateral_lower)
+    , period(finer.period)
+    , coarse_cells(finer.coarse_cells)
     , mesh(std::make_unique<Triangulation<dim>>())
   {
     Triangulation<dim> coarsened;
@@ -130,9 +136,28 @@ namespace StickSlip
 
     // A mesh that has been coarsened keeps the memory of the finer one.
     mesh->copy_triangulation(*coarse_cells);
+    join_periodic_sides(*mesh);
     refine_alike(*mesh, coarsened);
     AssertDimension(mesh->n_active_cells(), coarsened.n_active_cells());
     distribute_dofs();
+  }
+
+
+
+  template <int dim>
+  void
+  BodyMesh<dim>::join_periodic_sides(Triangulation<dim> &triangulation) const
+  {
+    std::vector<
+      GridTools::PeriodicFacePair<typename Triangulation<dim>::cell_iterator>>
+      pairs;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      if (period[axis] > 0)
+        GridTools::collect_periodic_faces(
+          triangulation, 2 * axis + 1, 2 * axis, axis, pairs);
+    // Neighbours across the joint must not differ by more than one refinement.
+    if (!pairs.empty())
+      triangulation.add_periodicity(pairs);
   }
 
 
@@ -144,7 +169,38 @@ namespace StickSlip
     dofs = std::make_unique<DoFHandler<dim>>(*mesh);
     dofs->distribute_dofs(FE_Q<dim>(1));
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      if (period[axis] > 0)
+        DoFTools::make_periodicity_constraints(
+          *dofs, 2 * axis + 1, 2 * axis, axis, constraints);
     constraints.close();
+  }
+
+
+
+  template <int dim>
+  std::pair<types::global_dof_index, std::array<int, dim - 1>>
+  BodyMesh<dim>::node_of_vertex(const types::global_dof_index dof,
+                                const Point<dim>             &vertex) const
+  {
+    std::array<int, dim - 1> wraps    = {};
+    bool                     is_image = false;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      if (period[axis] > 0 &&
+          vertex[axis] > lateral_lower[axis] + (1. - 1e-10) * period[axis])
+        {
+          wraps[axis] = 1;
+          is_image    = true;
+        }
+    if (!is_image)
+      return {dof, wraps};
+    const auto *entries = constraints.get_constraint_entries(dof);
+    AssertThrow(entries != nullptr, ExcInternalError());
+    // The image of a hanging node: only its place on the other side is asked
+    // for here, and that has no node of its own.
+    if (entries->size() != 1)
+      return {dof, {}};
+    return {entries->front().first, wraps};
   }
 
 
@@ -164,8 +220,15 @@ namespace StickSlip
   {
     constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_face;
 
-    std::map<types::global_dof_index, Point<dim>>                nodes;
-    std::vector<std::array<types::global_dof_index, n_vertices>> faces;
+    struct Face
+    {
+      // Degrees of freedom, then positions in the surface.
+      std::array<types::global_dof_index, n_vertices>  dofs;
+      std::array<std::array<int, dim - 1>, n_vertices> wraps;
+    };
+
+    std::map<types::global_dof_index, Point<dim>> nodes;
+    std::vector<Face>                             faces;
     for (const auto &cell : dofs->active_cell_iterators())
       if (cell->at_boundary())
         for (const auto &face : cell->face_iterators())
@@ -174,8 +237,16 @@ namespace StickSlip
               faces.emplace_back();
               for (unsigned int v = 0; v < n_vertices; ++v)
                 {
-                  faces.back()[v]        = face->vertex_dof_index(v, 0);
-                  nodes[faces.back()[v]] = face->vertex(v);
+                  const auto [dof, wraps] =
+                    node_of_vertex(face->vertex_dof_index(v, 0),
+                                   face->vertex(v));
+                  Point<dim> position = face->vertex(v);
+                  for (unsigned int d = 0; d + 1 < dim; ++d)
+                    if (wraps[d] != 0)
+                      position[d] = lateral_lower[d];
+                  faces.back().dofs[v]  = dof;
+                  faces.back().wraps[v] = wraps;
+                  nodes[dof]            = position;
                 }
             }
 
@@ -197,13 +268,22 @@ namespace StickSlip
         surface.dofs.push_back(node.second);
         surface.points.push_back(node.first);
       }
-    for (const auto &face : faces)
+    for (Face &face : faces)
+      for (auto &dof : face.dofs)
+        dof = position[dof];
+    std::sort(faces.begin(), faces.end(), [](const Face &a, const Face &b) {
+      return std::tie(a.dofs, a.wraps) < std::tie(b.dofs, b.wraps);
+    });
+    for (const Face &face : faces)
       {
         surface.faces.emplace_back();
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          surface.faces.back()[v] = position[face[v]];
+        std::copy(face.dofs.begin(),
+                  face.dofs.end(),
+                  surface.faces.back().begin());
+        if (period.norm() > 0)
+          surface.wraps.push_back(face.wraps);
       }
-    std::sort(surface.faces.begin(), surface.faces.end());
+    surface.period = period;
     return surface;
   }
 
@@ -261,9 +341,18 @@ namespace StickSlip
 
   template <int dim>
   const AffineConstraints<double> &
-  BodyMesh<dim>::hanging_nodes() const
+  BodyMesh<dim>::bound_nodes() const
   {
     return constraints;
+  }
+
+
+
+  template <int dim>
+  const Tensor<1, dim - 1> &
+  BodyMesh<dim>::lateral_period() const
+  {
+    return period;
   }
 
 

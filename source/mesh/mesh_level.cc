@@ -158,7 +158,7 @@ namespace StickSlip
                           const types::global_dof_index dof) const
   {
     const auto *masters =
-      bodies[body]->hanging_nodes().get_constraint_entries(dof);
+      bodies[body]->bound_nodes().get_constraint_entries(dof);
     if (masters == nullptr)
       return {{global_node(body, dof), 1.}};
     std::vector<std::pair<types::global_dof_index, double>> row;

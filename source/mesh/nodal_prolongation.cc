@@ -91,7 +91,7 @@ namespace StickSlip
       {
         const types::global_dof_index node = fine.global_node(body, fine_dof);
         if (!wanted.is_element(node) ||
-            fine.bodies[body]->hanging_nodes().is_constrained(fine_dof))
+            fine.bodies[body]->bound_nodes().is_constrained(fine_dof))
           return;
         GlobalRow &row = rows[wanted.index_within_set(node)];
         if (!row.empty())

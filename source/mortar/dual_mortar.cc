@@ -78,9 +78,15 @@ namespace StickSlip
         {
           const auto          &slave_face  = slave.faces[cell.slave_face];
           const auto          &master_face = master.faces[cell.master_face];
-          const FaceShape<dim> slave_shape(slave_positions, slave_face);
-          const FaceShape<dim> master_shape(master_positions, master_face);
-          FaceIntegrals<dim>  &face = integrals[cell.slave_face];
+          const FaceShape<dim> slave_shape(
+            slave.face_vertices(slave_positions, cell.slave_face));
+          const FaceShape<dim> master_shape(
+            master.face_vertices(master_positions, cell.master_face));
+          // From the slave face to the master face, whose image it meets.
+          Tensor<1, dim - 1> shift;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            shift[d] = -cell.master_wraps[d] * slave.period[d];
+          FaceIntegrals<dim> &face = integrals[cell.slave_face];
 
           const double scale = cell.measure() / reference_area;
           face.area += cell.measure();
@@ -90,10 +96,10 @@ namespace StickSlip
               for (unsigned int d = 0; d < dim - 1; ++d)
                 x += quadrature.point(g)[d] *
                      (cell.vertices[d + 1] - cell.vertices[0]);
-              const double           JxW        = quadrature.weight(g) * scale;
-              const auto             slave_phi  = slave_shape.shape_values(x);
-              const auto             master_phi = master_shape.shape_values(x);
-              constexpr unsigned int n          = FaceIntegrals<dim>::n;
+              const double JxW         = quadrature.weight(g) * scale;
+              const auto   slave_phi   = slave_shape.shape_values(x);
+              const auto   master_phi  = master_shape.shape_values(x + shift);
+              constexpr unsigned int n = FaceIntegrals<dim>::n;
               for (unsigned int i = 0; i < n; ++i)
                 for (unsigned int j = 0; j < n; ++j)
                   face.mass[i][j] += slave_phi[i] * slave_phi[j] * JxW;
@@ -148,7 +154,8 @@ namespace StickSlip
       {
         bases.emplace_back(integrals[f].mass);
         const auto full =
-          FaceShape<dim>(slave_positions, slave.faces[f]).shape_integrals();
+          FaceShape<dim>(slave.face_vertices(slave_positions, f))
+            .shape_integrals();
         for (unsigned int i = 0; i < n; ++i)
           {
             full_weight[slave.faces[f][i]] += full[i];

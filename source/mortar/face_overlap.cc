@@ -38,6 +38,7 @@ namespace StickSlip
       double       lower;
       double       upper;
       unsigned int face;
+      int          wraps;
     };
 
 
@@ -50,10 +51,10 @@ namespace StickSlip
       intervals.reserve(surface.faces.size());
       for (unsigned int f = 0; f < surface.faces.size(); ++f)
         {
-          const FaceShape<2> shape(positions, surface.faces[f]);
+          const FaceShape<2> shape(surface.face_vertices(positions, f));
           const auto         ends =
             std::minmax(shape.vertices()[0][0], shape.vertices()[1][0]);
-          intervals.push_back({ends.first, ends.second, f});
+          intervals.push_back({ends.first, ends.second, f, 0});
         }
       std::sort(intervals.begin(),
                 intervals.end(),
@@ -74,6 +75,29 @@ namespace StickSlip
 
 
 
+    /** All images, moved by multiples of @p period, that reach into the
+     * window, which is not empty; sorted like the @p intervals. */
+    std::vector<Interval>
+    images_in(const Interval              &window,
+              const double                 period,
+              const std::vector<Interval> &intervals)
+    {
+      const int first =
+        std::floor((window.lower - intervals.back().upper) / period);
+      const int last =
+        std::ceil((window.upper - intervals.front().lower) / period);
+      std::vector<Interval> images;
+      for (int wraps = first; wraps <= last; ++wraps)
+        for (const Interval &interval : intervals)
+          images.push_back({interval.lower + wraps * period,
+                            interval.upper + wraps * period,
+                            interval.face,
+                            wraps});
+      return images;
+    }
+
+
+
     void
     append_overlap(const FaultSurface<2>       &slave,
                    const std::vector<Point<1>> &slave_positions,
@@ -83,8 +107,12 @@ namespace StickSlip
     {
       const std::vector<Interval> slaves =
         sorted_intervals(slave, slave_positions);
-      const std::vector<Interval> masters =
+      std::vector<Interval> masters =
         sorted_intervals(master, master_positions);
+      if (slave.period[0] > 0)
+        masters = images_in({slaves.front().lower, slaves.back().upper, 0, 0},
+                            slave.period[0],
+                            masters);
 
       auto s = slaves.begin();
       auto m = masters.begin();
@@ -95,8 +123,10 @@ namespace StickSlip
           const double smaller =
             std::min(s->upper - s->lower, m->upper - m->lower);
           if (upper - lower > overlap_tolerance * smaller)
-            cells.push_back(
-              {s->face, m->face, {{Point<1>(lower), Point<1>(upper)}}});
+            cells.push_back({s->face,
+                             m->face,
+                             {{m->wraps}},
+                             {{Point<1>(lower), Point<1>(upper)}}});
 
           if (s->upper <= m->upper)
             ++s;
@@ -130,6 +160,85 @@ namespace StickSlip
 
 
 
+    std::vector<FaceShape<3>>
+    face_shapes(const FaultSurface<3>       &surface,
+                const std::vector<Point<2>> &positions)
+    {
+      std::vector<FaceShape<3>> shapes;
+      for (unsigned int f = 0; f < surface.faces.size(); ++f)
+        shapes.emplace_back(surface.face_vertices(positions, f));
+      return shapes;
+    }
+
+
+
+    BoundingBox<2>
+    bounding_box(const std::vector<FaceShape<3>> &shapes)
+    {
+      BoundingBox<2> box = bounding_box(shapes.front());
+      for (const FaceShape<3> &shape : shapes)
+        box.merge_with(bounding_box(shape));
+      return box;
+    }
+
+
+
+    FaceShape<3>
+    moved(const FaceShape<3> &shape, const Tensor<1, 2> &by)
+    {
+      auto vertices = shape.vertices();
+      for (Point<2> &vertex : vertices)
+        vertex += by;
+      return FaceShape<3>(vertices);
+    }
+
+
+
+    /** A master face, moved by whole periods. */
+    struct MasterImage
+    {
+      FaceShape<3>       shape;
+      unsigned int       face;
+      std::array<int, 2> wraps;
+    };
+
+
+
+    /** The images of master faces, moved by multiples of @p period, next to the
+     * slave faces in @p window; and their bounding boxes. */
+    void
+    append_images(const Tensor<1, 2>              &period,
+                  const BoundingBox<2>            &window,
+                  const std::vector<FaceShape<3>> &masters,
+                  std::vector<MasterImage>        &images,
+                  std::vector<BoundingBox<2>>     &boxes)
+    {
+      const BoundingBox<2> extent = bounding_box(masters);
+      std::array<int, 2>   first = {}, last = {};
+      for (unsigned int d = 0; d < 2; ++d)
+        if (period[d] > 0)
+          {
+            first[d] = std::floor(
+              (window.lower_bound(d) - extent.upper_bound(d)) / period[d]);
+            last[d] = std::ceil(
+              (window.upper_bound(d) - extent.lower_bound(d)) / period[d]);
+          }
+      std::array<int, 2> wraps;
+      for (wraps[0] = first[0]; wraps[0] <= last[0]; ++wraps[0])
+        for (wraps[1] = first[1]; wraps[1] <= last[1]; ++wraps[1])
+          for (unsigned int f = 0; f < masters.size(); ++f)
+            {
+              const FaceShape<3> image =
+                moved(masters[f],
+                      Tensor<1, 2>(
+                        {wraps[0] * period[0], wraps[1] * period[1]}));
+              boxes.push_back(bounding_box(image));
+              images.push_back({image, f, wraps});
+            }
+    }
+
+
+
     void
     append_overlap(const FaultSurface<3>       &slave,
                    const std::vector<Point<2>> &slave_positions,
@@ -137,40 +246,42 @@ namespace StickSlip
                    const std::vector<Point<2>> &master_positions,
                    std::vector<OverlapCell<3>> &cells)
     {
-      std::vector<FaceShape<3>>   master_shapes;
-      std::vector<BoundingBox<2>> master_boxes;
-      for (const auto &face : master.faces)
-        {
-          master_shapes.emplace_back(master_positions, face);
-          master_boxes.push_back(bounding_box(master_shapes.back()));
-        }
-      const auto tree = pack_rtree_of_indices(master_boxes);
+      const std::vector<FaceShape<3>> slave_shapes =
+        face_shapes(slave, slave_positions);
+      std::vector<MasterImage>    images;
+      std::vector<BoundingBox<2>> boxes;
+      append_images(slave.period,
+                    bounding_box(slave_shapes),
+                    face_shapes(master, master_positions),
+                    images,
+                    boxes);
+      const auto tree = pack_rtree_of_indices(boxes);
 
       for (unsigned int f = 0; f < slave.faces.size(); ++f)
         {
-          const FaceShape<3> slave_shape(slave_positions, slave.faces[f]);
-
           std::vector<std::size_t> candidates;
           tree.query(boost::geometry::index::intersects(
-                       bounding_box(slave_shape)),
+                       bounding_box(slave_shapes[f])),
                      std::back_inserter(candidates));
           std::sort(candidates.begin(), candidates.end());
 
-          const Polygon slave_outline = outline(slave_shape);
-          for (const std::size_t m : candidates)
+          const Polygon slave_outline = outline(slave_shapes[f]);
+          for (const std::size_t i : candidates)
             {
-              const Polygon common =
-                clip_convex_polygon(slave_outline, outline(master_shapes[m]));
+              const MasterImage &master_image = images[i];
+              const Polygon      common =
+                clip_convex_polygon(slave_outline, outline(master_image.shape));
               if (signed_area(common) <=
-                  overlap_tolerance *
-                    std::min(slave_shape.measure(), master_shapes[m].measure()))
+                  overlap_tolerance * std::min(slave_shapes[f].measure(),
+                                               master_image.shape.measure()))
                 continue;
-              for (unsigned int i = 2; i < common.size(); ++i)
+              for (unsigned int v = 2; v < common.size(); ++v)
                 {
                   const OverlapCell<3> cell = {
                     f,
-                    static_cast<unsigned int>(m),
-                    {{common[0], common[i - 1], common[i]}}};
+                    master_image.face,
+                    master_image.wraps,
+                    {{common[0], common[v - 1], common[v]}}};
                   // Vertices that coincide leave triangles without area.
                   if (cell.measure() > 0.)
                     cells.push_back(cell);

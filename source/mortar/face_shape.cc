@@ -127,14 +127,10 @@ namespace StickSlip
 
 
   template <int dim>
-  FaceShape<dim>::FaceShape(const std::vector<Point<dim - 1>> &positions,
-                            const std::array<unsigned int, n_vertices> &face)
+  FaceShape<dim>::FaceShape(
+    const std::array<Point<dim - 1>, n_vertices> &vertices)
+    : corners(vertices)
   {
-    for (unsigned int i = 0; i < n_vertices; ++i)
-      {
-        AssertIndexRange(face[i], positions.size());
-        corners[i] = positions[face[i]];
-      }
     AssertThrow(is_valid(corners), ExcMessage(bad_face));
     size = face_measure(corners);
   }

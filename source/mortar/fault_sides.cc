@@ -13,10 +13,9 @@ namespace StickSlip
   face_sizes(const FaultSurface<dim> &surface)
   {
     double sum = 0, least = std::numeric_limits<double>::max();
-    for (const auto &face : surface.faces)
+    for (unsigned int f = 0; f < surface.faces.size(); ++f)
       {
-        const double size =
-          surface.points[face.front()].distance(surface.points[face.back()]);
+        const double size = surface.face_size(f);
         sum += size;
         least = std::min(least, size);
       }

@@ -88,10 +88,20 @@ namespace StickSlip
 
 
 
+    /** The path of the entry that makes bodies periodic along an axis. */
+    std::string
+    periodic_entry(const unsigned int axis)
+    {
+      return std::string("Boundary conditions/Periodic along ") + "xy"[axis];
+    }
+
+
+
     template <int dim>
     void
-    check_bodies(const std::vector<BodyParameters<dim>> &bodies)
+    check_bodies(const SceneParameters<dim> &scene)
     {
+      const std::vector<BodyParameters<dim>> &bodies = scene.bodies;
       for (const BodyParameters<dim> &body : bodies)
         for (unsigned int axis = 0; axis + 1 < dim; ++axis)
           if (body.geometry.lateral_lower[axis] >=
@@ -123,6 +133,16 @@ namespace StickSlip
                 " along " + "xy"[axis] + ": must overlap those of '" +
                 bodies[i - 1].name + "' below, '" + range(below) +
                 "', for there to be a fault between the two.");
+            if (scene.periodic[axis] &&
+                (below.lateral_lower[axis] != above.lateral_lower[axis] ||
+                 below.lateral_upper[axis] != above.lateral_upper[axis]))
+              throw InputError(naming("Bodies/" + bodies[i].name +
+                                        "/Lower and Upper lateral corner",
+                                      range(above)) +
+                               " along " + "xy"[axis] + ": must be those of '" +
+                               bodies[i - 1].name + "' below, '" +
+                               range(below) + "', since '" +
+                               periodic_entry(axis) + "' = 'true'.");
           }
     }
 
@@ -199,6 +219,13 @@ namespace StickSlip
         {
           const std::string path = "Boundary conditions/" + condition.body +
                                    " " + side_name<dim>(condition.side) + "/";
+          const unsigned int normal_axis = condition.side / 2;
+          if (normal_axis + 1 < dim && scene.periodic[normal_axis])
+            throw InputError("'Boundary conditions/Sides': '" + condition.body +
+                             " " + side_name<dim>(condition.side) +
+                             "' is no outer side, since '" +
+                             periodic_entry(normal_axis) +
+                             "' = 'true' joins it to the opposite one.");
           for (unsigned int component = 0; component < dim; ++component)
             {
               const std::string  axis(1, "xyz"[component]);
@@ -246,7 +273,7 @@ namespace StickSlip
   {
     check_time(scene.time);
     check_output(scene.output);
-    check_bodies(scene.bodies);
+    check_bodies(scene);
     check_faults(scene);
     check_boundary_conditions(scene);
 

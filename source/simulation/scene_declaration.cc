@@ -91,6 +91,15 @@ namespace StickSlip
                         "where side is left, right, bottom or top and in three "
                         "dimensions also front or back. Each has a subsection "
                         "of this name.");
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        add_switch(prm,
+                   std::string("Periodic along ") + "xy"[axis],
+                   scene.periodic[axis],
+                   "Whether bodies and faults have no ends along this axis: "
+                   "the two sides of each body are joined, all fields repeat "
+                   "after the extent of the bodies, which must be the same for "
+                   "all, and what slides out on one side comes back on the "
+                   "other.");
       for (unsigned int i = 0; i < sides.size(); ++i)
         {
           prm.enter_subsection(sides[i]);
@@ -165,11 +174,13 @@ namespace StickSlip
 
   template <int dim>
   void
-  stack_bodies(SceneParameters<dim> &scene)
+  complete_geometry(SceneParameters<dim> &scene)
   {
     for (unsigned int i = 1; i < scene.bodies.size(); ++i)
       scene.bodies[i].geometry.base = scene.bodies[i - 1].geometry.base +
                                       scene.bodies[i - 1].geometry.thickness;
+    for (BodyParameters<dim> &body : scene.bodies)
+      body.geometry.periodic = scene.periodic;
   }
 
 
@@ -183,7 +194,7 @@ namespace StickSlip
   template void
   declare_scene(ParameterHandler &, SceneParameters<3> &);
   template void
-  stack_bodies(SceneParameters<2> &);
+  complete_geometry(SceneParameters<2> &);
   template void
-  stack_bodies(SceneParameters<3> &);
+  complete_geometry(SceneParameters<3> &);
 } // namespace StickSlip

@@ -258,7 +258,7 @@ namespace StickSlip
       for (const Assignment &assignment : assignments)
         apply(prm, entries, assignment);
     }
-    stack_bodies(scene);
+    complete_geometry(scene);
     if (scene.output.directory.empty())
       scene.output.directory = (std::filesystem::path("output") /
                                 std::filesystem::path(file_name).stem())

@@ -7,17 +7,20 @@ namespace StickSlip
 {
   namespace
   {
-    /** Velocity at @p x of the rotation in the plane of two axes. */
+    /** Pairs of axes in whose planes the bodies can be turned. */
     template <int dim>
-    Tensor<1, dim>
-    rotation(const Point<dim>  &x,
-             const unsigned int first,
-             const unsigned int second)
+    std::vector<std::pair<unsigned int, unsigned int>>
+    planes_of_rotation(const BodyMesh<dim> &body)
     {
-      Tensor<1, dim> v;
-      v[first]  = -x[second];
-      v[second] = x[first];
-      return v;
+      const auto is_periodic = [&](const unsigned int axis) {
+        return axis + 1 < dim && body.lateral_period()[axis] > 0;
+      };
+      std::vector<std::pair<unsigned int, unsigned int>> planes;
+      for (unsigned int first = 0; first < dim; ++first)
+        for (unsigned int second = first + 1; second < dim; ++second)
+          if (!is_periodic(first) && !is_periodic(second))
+            planes.emplace_back(first, second);
+      return planes;
     }
   } // namespace
 
@@ -27,10 +30,11 @@ namespace StickSlip
   std::vector<NodalVector>
   rigid_body_modes(const SpatialProblem<dim> &problem)
   {
-    constexpr unsigned int n_modes = dim + (dim == 2 ? 1 : 3);
+    const MeshLevel<dim> &level  = problem.meshes().finest();
+    const auto            planes = planes_of_rotation(*level.bodies.front());
 
-    const MeshLevel<dim>    &level = problem.meshes().finest();
-    std::vector<NodalVector> modes(n_modes, problem.make_nodal_vector());
+    std::vector<NodalVector> modes(dim + planes.size(),
+                                   problem.make_nodal_vector());
     for (unsigned int b = 0; b < level.bodies.size(); ++b)
       {
         const std::vector<Point<dim>> points =
@@ -39,22 +43,21 @@ namespace StickSlip
           {
             if (!level.nodes.owned().is_element(level.global_node(b, i)))
               continue;
-            const unsigned int node = level.node(b, i);
-            for (unsigned int m = 0; m < n_modes; ++m)
+            const unsigned int first_component = level.node(b, i) * dim;
+            for (unsigned int c = 0; c < dim; ++c)
+              modes[c].local_element(first_component + c) = 1.;
+            for (unsigned int r = 0; r < planes.size(); ++r)
               {
-                Tensor<1, dim> v;
-                if (m < dim)
-                  v[m] = 1.;
-                else
-                  v = rotation(points[i], (m - dim) / 2, 1 + (m - dim + 1) / 2);
-                for (unsigned int c = 0; c < dim; ++c)
-                  modes[m].local_element(node * dim + c) = v[c];
+                const auto [c, d]                           = planes[r];
+                NodalVector &rotation                       = modes[dim + r];
+                rotation.local_element(first_component + c) = -points[i][d];
+                rotation.local_element(first_component + d) = points[i][c];
               }
           }
       }
 
-    std::vector<NodalVector> jump_modes(n_modes, problem.make_vector());
-    for (unsigned int m = 0; m < n_modes; ++m)
+    std::vector<NodalVector> jump_modes(modes.size(), problem.make_vector());
+    for (unsigned int m = 0; m < modes.size(); ++m)
       problem.to_jumps(jump_modes[m], modes[m]);
     return jump_modes;
   }

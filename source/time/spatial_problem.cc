@@ -24,7 +24,7 @@ namespace StickSlip
     {
       NodeMask mask = dirichlet;
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        for (const auto &line : level.bodies[b]->hanging_nodes().get_lines())
+        for (const auto &line : level.bodies[b]->bound_nodes().get_lines())
           mask.mask_node(level.global_node(b, line.index));
       for (const auto p : basis.contact_nodes())
         mask.mask(p, dim - 1);

@@ -25,6 +25,10 @@ namespace StickSlip
     std::array<double, dim - 1> lateral_lower;
     std::array<double, dim - 1> lateral_upper;
 
+    /** Whether the body goes on for ever along a horizontal axis: its two sides
+     * there are one, and fields repeat after its extent. */
+    std::array<bool, dim - 1> periodic;
+
     /** Extent along the vertical axis, m. */
     double thickness = 1.;
 
@@ -47,6 +51,11 @@ namespace StickSlip
 
     Point<dim>
     upper_corner() const;
+
+    /** After how much fields repeat along each horizontal axis, m; zero: the
+     * body ends there. */
+    Tensor<1, dim - 1>
+    period() const;
 
     /** Declare the entries in the current subsection of @p prm. */
     void

@@ -21,7 +21,9 @@ namespace StickSlip
   /**
    * One mesh of one body: the triangulation, the nodal basis of continuous
    * piecewise (multi)linear functions on it, one number a node, and the
-   * constraints of the hanging nodes. Every process has the whole mesh, with
+   * constraints of the bound nodes: hanging ones, and those on the upper side
+   * along a periodic axis, which follow their images on the lower one. Every
+   * process has the whole mesh, with
    * the same numbers of cells, vertices and degrees of freedom; who owns what
    * is decided elsewhere, for all bodies together.
    */
@@ -53,7 +55,8 @@ namespace StickSlip
     FaultSurface<dim>
     surface(const types::boundary_id side) const;
 
-    /** The degrees of freedom on one side, hanging ones included. */
+    /** The degrees of freedom on one side, hanging ones included; on periodic
+     * bodies images only once. */
     std::vector<types::global_dof_index>
     dofs_on_side(const types::boundary_id side) const;
 
@@ -72,11 +75,29 @@ namespace StickSlip
     dof_handler() const;
 
     const AffineConstraints<double> &
-    hanging_nodes() const;
+    bound_nodes() const;
+
+    /** After how much fields repeat along each horizontal axis, m; zero: the
+     * body ends there. */
+    const Tensor<1, dim - 1> &
+    lateral_period() const;
 
   private:
     void
+    join_periodic_sides(Triangulation<dim> &triangulation) const;
+
+    void
     distribute_dofs();
+
+    /** The degree of freedom that stands for the vertex of a side and its
+     * images, and how many periods the vertex lies from it. */
+    std::pair<types::global_dof_index, std::array<int, dim - 1>>
+    node_of_vertex(const types::global_dof_index dof,
+                   const Point<dim>             &vertex) const;
+
+    /** Where the body begins and how far it goes along periodic axes. */
+    std::array<double, dim - 1> lateral_lower;
+    Tensor<1, dim - 1>          period;
 
     /** The mesh before any refinement. */
     std::shared_ptr<const Triangulation<dim>> coarse_cells;

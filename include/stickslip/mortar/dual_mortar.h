@@ -100,6 +100,9 @@ namespace StickSlip
    * quadrilaterals the integrals are not exact, but biorthogonality,
    * sums of rows and the reproduction of linear functions are.
    *
+   * Periodic surfaces must have the same period; they may have slid along each
+   * other by any number of periods.
+   *
    * The surfaces may be apart: then covered_area is zero. Throws ExcMessage
    * as compute_face_overlap() does.
    */

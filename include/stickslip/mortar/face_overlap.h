@@ -26,7 +26,11 @@ namespace StickSlip
     /** Position in the master surface's array of faces. */
     unsigned int master_face;
 
-    /** Corners in the fault plane, m. */
+    /** The cell lies on the image of the master face that is moved by this many
+     * periods. */
+    std::array<int, dim - 1> master_wraps;
+
+    /** Corners in the fault plane, m, on the slave face. */
     std::array<Point<dim - 1>, dim> vertices;
 
     /** Length (m) or area (m^2). */
@@ -47,7 +51,8 @@ namespace StickSlip
    * The positions are the current ones of the nodes in the (flat) fault plane,
    * in m and in the order of the nodes of the surfaces; nodes and faces
    * may be numbered in any order. The faces of one side must not overlap each
-   * other.
+   * other. Periodic surfaces have the same period, and the images of the master
+   * faces count too.
    *
    * Two dimensions: the two sets of breakpoints are merged on the line. Three
    * dimensions: pairs of faces whose bounding boxes meet are clipped against

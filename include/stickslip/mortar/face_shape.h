@@ -8,7 +8,6 @@
 #include <deal.II/base/point.h>
 
 #include <array>
-#include <vector>
 
 namespace StickSlip
 {
@@ -27,13 +26,12 @@ namespace StickSlip
       GeometryInfo<dim>::vertices_per_face;
 
     /**
-     * The face joining the @p positions (in the fault plane, m) with the given
-     * indices, in deal.II's order of vertices. The sense of rotation does not
-     * matter. Throws ExcMessage if the face has no area or is not convex:
-     * then the deformation has turned the surface inside out.
+     * The face with these @p vertices (in the fault plane, m), in deal.II's
+     * order. The sense of rotation does not matter. Throws ExcMessage if the
+     * face has no area or is not convex: then the deformation has turned the
+     * surface inside out.
      */
-    FaceShape(const std::vector<Point<dim - 1>>          &positions,
-              const std::array<unsigned int, n_vertices> &face);
+    explicit FaceShape(const std::array<Point<dim - 1>, n_vertices> &vertices);
 
     const std::array<Point<dim - 1>, n_vertices> &
     vertices() const;

@@ -27,18 +27,21 @@ namespace StickSlip
    * defaults. The bodies, faults and boundary conditions of the scene must be
    * there and named; what is set in @p prm afterwards goes into @p scene, which
    * must stay where it is for as long as @p prm is used. The entry for the base
-   * elevation is that of the lowest body; stack_bodies() derives the others.
+   * elevation is that of the lowest body; complete_geometry() derives the
+   * others.
    */
   template <int dim>
   void
   declare_scene(ParameterHandler &prm, SceneParameters<dim> &scene);
 
   /**
-   * Put each body on top of the one below.
+   * What the bodies' geometries take from each other and from the scene: each
+   * body lies on top of the one below, and all are periodic along the same
+   * axes.
    */
   template <int dim>
   void
-  stack_bodies(SceneParameters<dim> &scene);
+  complete_geometry(SceneParameters<dim> &scene);
 } // namespace StickSlip
 
 #endif

@@ -13,6 +13,7 @@
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/tnnmg/solver_parameters.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ namespace StickSlip
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
+    /** Along which horizontal axes all bodies are periodic. */
+    std::array<bool, dim - 1> periodic;
+
     /** Gravitational acceleration along the negative vertical axis, m/s^2. */
     double gravity = 9.81;
 
@@ -50,6 +54,11 @@ namespace StickSlip
     TNNMGParameters   tnnmg;
     TimeParameters    time;
     OutputParameters  output;
+
+    SceneParameters()
+    {
+      periodic.fill(false);
+    }
   };
 } // namespace StickSlip
 

@@ -10,9 +10,10 @@ namespace StickSlip
 {
   /**
    * The rigid motions of all bodies together in the jump basis, for algebraic
-   * multigrid: dim translations, then one (d = 2) or three (d = 3) rotations.
-   * The jumps of a rigid motion are zero where the two sides of a fault match.
-   * Collective.
+   * multigrid: dim translations, then one (d = 2) or three (d = 3) rotations,
+   * without those that turn a periodic axis, which are no motions of the
+   * bodies. The jumps of a rigid motion are zero where the two sides of a fault
+   * match. Collective.
    */
   template <int dim>
   std::vector<NodalVector>

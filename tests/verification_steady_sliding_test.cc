@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "steady_sliding.h"
+#include "stepping_scene.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  using Complex = SteadySliding::Complex;
+
+
+
+  SteadySliding
+  two_layers(const double wave_length)
+  {
+    SteadySliding theory;
+    for (Material &material : theory.material)
+      material.shear_viscosity = material.bulk_viscosity = 0.;
+    theory.friction.characteristic_slip = 5e-6;
+    theory.normal_stress                = 5e4;
+    theory.slip_rate                    = 2e-5;
+    theory.wave_number                  = 2. * numbers::PI / wave_length;
+    theory.thickness                    = {{0.5, 0.5}};
+    return theory;
+  }
+
+
+
+  /** The layers of a theory, one wave length of them. */
+  std::string
+  scene_of(const SteadySliding &theory,
+           const StateLaw       law,
+           const unsigned int   n_halvings)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    const double length = 2. * numbers::PI / theory.wave_number;
+    text << "subsection Bodies\n set Names = lower, upper\n"
+         << " set Base elevation = " << -theory.thickness[0] << "\n";
+    for (unsigned int layer = 0; layer < 2; ++layer)
+      {
+        const Material &solid = theory.material[layer];
+        text << " subsection " << (layer == 0 ? "lower" : "upper")
+             << "\n  set Lower lateral corner = 0\n"
+             << "  set Upper lateral corner = " << length
+             << "\n  set Thickness = " << theory.thickness[layer]
+             << "\n  set Coarse cells = 4, "
+             << std::max(1., std::round(4. * theory.thickness[layer] / length))
+             << "\n  set Uniform refinements = " << n_halvings
+             << "\n  set Refinement passes = 0\n  subsection Material\n"
+             << "   set Young modulus = " << solid.youngs_modulus
+             << "\n   set Poisson ratio = " << solid.poissons_ratio
+             << "\n   set Density = " << solid.density
+             << "\n   set Shear viscosity = " << solid.shear_viscosity
+             << "\n   set Bulk viscosity = " << solid.bulk_viscosity
+             << "\n  end\n end\n";
+      }
+    text << "end\nsubsection Faults\n set Names = fault\n subsection fault\n"
+         << "  set a = " << theory.friction.a
+         << "\n  set b = " << theory.friction.b
+         << "\n  set Characteristic slip = "
+         << theory.friction.characteristic_slip << "\n  set State law = "
+         << (law == StateLaw::aging ? "aging" : "slip")
+         << "\n  set Normal stress = function\n"
+         << "  set Normal stress function = " << theory.normal_stress
+         << "\n end\nend\n"
+         << "subsection Boundary conditions\n set Periodic along x = true\n"
+         << " set Sides = lower bottom, upper top\n subsection lower bottom\n"
+         << "  set x condition = fixed\n  set y condition = fixed\n end\n"
+         << " subsection upper top\n  set x condition = velocity\n"
+         << "  set x value = " << theory.slip_rate
+         << "\n  set y condition = fixed\n  set Ramp length = 0\n end\nend\n"
+         << "subsection Gravity\n set Acceleration = 0\nend\n"
+         << "subsection TNNMG\n set Tolerance = 1e-12\nend\n"
+         << "subsection Time\n set Rate-state tolerance = 1e-12\n"
+         << " set Largest step = 1e6\n set Initial step = 1e-3\nend\n";
+    return text.str();
+  }
+
+
+
+  /** Steady sliding, perturbed by a little slip in the shape of the growing
+   * wave. */
+  void
+  set_state(SteppingScene       &scene,
+            const SteadySliding &theory,
+            const Complex        s,
+            const double         slip)
+  {
+    const double               k = theory.wave_number;
+    const std::vector<Complex> c = theory.coefficients(s);
+    const double               shear_stress =
+      theory.normal_stress *
+      (theory.friction.reference_friction +
+       (theory.friction.a - theory.friction.b) *
+         std::log(theory.slip_rate / theory.friction.reference_slip_rate));
+
+    SystemState<2>     &state = scene.state;
+    const MeshLevel<2> &level = scene.meshes.finest();
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const std::vector<Point<2>> points = level.bodies[b]->node_positions();
+        for (unsigned int i = 0; i < points.size(); ++i)
+          {
+            const auto         field   = theory.field(b, points[i][1], s, c);
+            const unsigned int node    = level.node(b, i) * 2;
+            const Complex      wave[2] = {slip * field.X *
+                                            std::cos(k * points[i][0]),
+                                          slip * field.Y *
+                                            std::sin(k * points[i][0])};
+            for (unsigned int d = 0; d < 2; ++d)
+              {
+                state.displacement.local_element(node + d) = wave[d].real();
+                state.velocity.local_element(node + d) = (s * wave[d]).real();
+                state.acceleration.local_element(node + d) =
+                  (s * s * wave[d]).real();
+              }
+            state.displacement.local_element(node) +=
+              shear_stress / theory.material[b].shear_modulus() * points[i][1];
+            if (b == 1)
+              state.velocity.local_element(node) += theory.slip_rate;
+          }
+      }
+
+    const FaultContact<2> &fault = scene.problem.jump_basis().faults().front();
+    const double           sign  = fault.sides.slave_is_upper() ? 1. : -1.;
+    for (unsigned int p = 0; p < state.alpha.size(); ++p)
+      {
+        const double wave = std::cos(k * fault.slave_surface.points[p][0]);
+        state.slip_rate[p][0] =
+          sign * (theory.slip_rate + (s * slip).real() * wave);
+        state.slip[p][0] = sign * slip * wave;
+        state.alpha[p] =
+          std::log(theory.friction.characteristic_slip / theory.slip_rate) +
+          (theory.state(s) * slip).real() * wave;
+      }
+  }
+
+
+
+  /** The part of ln(theta) that varies as cos kx. */
+  double
+  amplitude(const SteppingScene &scene, const double k)
+  {
+    const FaultContact<2> &fault  = scene.problem.jump_basis().faults().front();
+    const auto            &points = fault.slave_surface.points;
+    double                 sum    = 0;
+    for (unsigned int p = 0; p < points.size(); ++p)
+      sum += 2. * scene.state.alpha[p] * std::cos(k * points[p][0]);
+    return sum / points.size();
+  }
+
+
+
+  /** The exponent of a series Re[A exp(s t)], from the recurrence of three
+   * values that follow each other. */
+  Complex
+  exponent(const std::vector<double> &values, const double tau)
+  {
+    // Least squares for c(n+1) = p c(n) + q c(n-1).
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+    for (unsigned int n = 1; n + 1 < values.size(); ++n)
+      {
+        const double x = values[n], y = values[n - 1], z = values[n + 1];
+        xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
+      }
+    const double determinant = xx * yy - xy * xy;
+    const double p           = (xz * yy - yz * xy) / determinant,
+                 q           = (yz * xx - xz * xy) / determinant;
+    const Complex root       = (p + std::sqrt(Complex(p * p + 4. * q))) / 2.;
+    return std::log(root) / tau;
+  }
+
+
+
+  /** The growth rate that the program finds: of the wave of the theory over
+   * one and a half turns of its phase. */
+  Complex
+  simulated_growth_rate(const SteadySliding &theory,
+                        const StateLaw       law,
+                        const unsigned int   n_halvings   = 4,
+                        const unsigned int   steps_a_turn = 120)
+  {
+    const Complex s = theory.growth_rate();
+    SteppingScene scene(scene_of(theory, law, n_halvings));
+    set_state(scene, theory, s, 1e-3 * theory.friction.characteristic_slip);
+    const double        tau    = 2. * numbers::PI / s.imag() / steps_a_turn;
+    std::vector<double> values = {amplitude(scene, theory.wave_number)};
+    for (unsigned int n = 0; n < steps_a_turn * 3 / 2; ++n)
+      {
+        StepResult<2> step = scene.step->take(scene.state, tau);
+        EXPECT_TRUE(step.converged) << step.failure;
+        scene.state = std::move(step.state);
+        values.push_back(amplitude(scene, theory.wave_number));
+      }
+    return exponent(values, tau);
+  }
+
+
+
+  /** The wave length whose stiffness is critical. */
+  double
+  critical_wave_length()
+  {
+    double lower = 0.1, upper = 10.;
+    while (upper / lower > 1. + 1e-12)
+      {
+        const double  middle = std::sqrt(lower * upper);
+        SteadySliding theory = two_layers(middle);
+        theory.with_inertia  = false;
+        (theory.stiffness(0.).real() > theory.critical_stiffness() ? lower :
+                                                                     upper) =
+          middle;
+      }
+    return lower;
+  }
+  void
+  expect_within_two_percent(const Complex found, const Complex expected)
+  {
+    EXPECT_NEAR(found.real() / expected.real(), 1., 0.02);
+    EXPECT_NEAR(found.imag() / expected.imag(), 1., 0.02);
+  }
+} // namespace
+
+
+
+TEST(SteadySliding, LimitsOfTheTheory)
+{
+  // Half-spaces: G k / (2 (1 - nu)), Rice and Ruina (1983); and layers that
+  // shear as a whole.
+  SteadySliding theory = two_layers(0.05);
+  const double  G      = theory.material[0].shear_modulus();
+  theory.with_inertia  = false;
+  EXPECT_NEAR(theory.stiffness(0.).real() / (G * theory.wave_number / 2. / 0.7),
+              1.,
+              1e-10);
+  theory.wave_number = 1e-3;
+  EXPECT_NEAR(theory.stiffness(0.).real() / (G / 1.), 1., 1e-5);
+
+  // With inertia, long waves are those of a column, G q coth(q H) / 2.
+  theory.with_inertia = true;
+  const Complex s(30., 100.);
+  const Complex q      = s * std::sqrt(theory.material[0].density / G);
+  const Complex column = 0.5 * G * q / std::tanh(q * 0.5);
+  EXPECT_LT(std::abs(theory.stiffness(s) / column - 1.), 1e-5);
+
+  // Slow waves have no inertia.
+  theory              = two_layers(0.7);
+  const Complex slow  = theory.stiffness(1e-2);
+  theory.with_inertia = false;
+  EXPECT_LT(std::abs(slow / theory.stiffness(1e-2) - 1.), 1e-6);
+}
+
+
+
+TEST(SteadySliding, SlowGrowthOnBothSidesOfTheCriticalWaveLength)
+{
+  const double critical = critical_wave_length();
+  for (const StateLaw law : {StateLaw::aging, StateLaw::slip})
+    for (const double factor : {0.5, 0.8, 1.25, 2.})
+      {
+        const SteadySliding theory = two_layers(factor * critical);
+        SteadySliding       slow   = theory;
+        slow.with_inertia          = false;
+        const Complex expected     = slow.growth_rate();
+        EXPECT_EQ(expected.real() > 0., factor > 1.);
+        EXPECT_LT(std::abs(theory.growth_rate() / expected - 1.), 1e-3);
+        expect_within_two_percent(simulated_growth_rate(theory, law), expected);
+      }
+}
+
+
+
+TEST(SteadySliding, FastGrowthOfUnequalViscousLayers)
+{
+  const double critical = critical_wave_length();
+  for (const StateLaw law : {StateLaw::aging, StateLaw::slip})
+    for (const double factor : {0.6, 1.7})
+      {
+        SteadySliding theory               = two_layers(factor * critical);
+        theory.slip_rate                   = 4e-3;
+        theory.thickness                   = {{0.6, 0.4}};
+        theory.material[0].youngs_modulus  = 6e7;
+        theory.material[1].poissons_ratio  = 0.2;
+        theory.material[1].density         = 3e3;
+        theory.material[0].shear_viscosity = 2e3;
+        theory.material[1].bulk_viscosity  = 4e3;
+        const Complex expected             = theory.growth_rate();
+        SteadySliding slow                 = theory;
+        slow.with_inertia                  = false;
+        EXPECT_GT(std::abs(slow.growth_rate() / expected - 1.), 0.1);
+        expect_within_two_percent(simulated_growth_rate(theory, law), expected);
+      }
+}
+
+
+
+TEST(SteadySliding, SecondOrderInMeshAndStep)
+{
+  const SteadySliding theory   = two_layers(1.25 * critical_wave_length());
+  const Complex       expected = theory.growth_rate();
+  std::vector<double> errors;
+  for (unsigned int i = 0; i < 3; ++i)
+    errors.push_back(
+      std::abs(simulated_growth_rate(theory, StateLaw::aging, 2 + i, 40u << i) -
+               expected));
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_NEAR(std::log2(errors[i] / errors[i + 1]), 2., 0.2) << errors[i];
+}
