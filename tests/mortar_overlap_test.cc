@@ -214,7 +214,9 @@ TEST(FaceShape, FacesInsideOutAreRefused)
         std::array<unsigned int, 4>{{0, 1, 0, 1}}})
     EXPECT_THROW(FaceShape<3>(pick(positions, face)), ExcMessage);
   for (const double end : {1., std::nan("")})
-    EXPECT_THROW(FaceShape<2>({{Point<1>(1.), Point<1>(end)}}), ExcMessage);
+    EXPECT_THROW(FaceShape<2>(
+                   std::array<Point<1>, 2>{{Point<1>(1.), Point<1>(end)}}),
+                 ExcMessage);
 }
 
 

@@ -116,6 +116,15 @@ TEST(ParallelRun, LargeSlidingOfNonmatchingMeshesIsTheSame)
 
 
 
+TEST(ParallelRun, LargeSlidingOfEndlessBodiesIsTheSame)
+{
+  expect_equal_sliding({"Boundary conditions/Periodic along x=true",
+                        "Bodies/lower/Coarse cells=7, 2",
+                        "Faults/fault/Initial state=1 + 0.2 * cos(pi * x)"});
+}
+
+
+
 TEST(ParallelRun, NoNumberOnOneProcessIsAFailureOnAll)
 {
   SKIP_WHERE_NAN_IS_FATAL();
