@@ -65,8 +65,9 @@ TEST(Periodic, SlidesPastItsLengthWithoutLosingContact)
       EXPECT_EQ(coupling.lost_area, 0.);
     }
   EXPECT_GT(simulation.spatial_problem().n_builds(), 40u);
-  for (const auto &slip : snapshots(simulation)[0].slip)
-    EXPECT_GT(std::abs(slip[0]), 2.2);
+  const FaultSnapshot<2> fault = snapshots(simulation)[0];
+  for (const auto &slip : fault.slip)
+    EXPECT_GT(slip[0], 2.2);
 }
 
 
@@ -97,11 +98,11 @@ TEST(Periodic, TwoPeriodsAreTwiceOne)
                   short_fault.slip_rate[k % n][0],
                   1e-8);
       EXPECT_NEAR(long_fault.state[k], short_fault.state[k % n], 1e-8);
-      lowest  = std::min(lowest, long_fault.slip_rate[k][0]);
-      highest = std::max(highest, long_fault.slip_rate[k][0]);
+      lowest  = std::min(lowest, long_fault.state[k]);
+      highest = std::max(highest, long_fault.state[k]);
     }
   // The wave has not died out, so that there was something to compare.
-  EXPECT_GT(std::abs(highest - lowest), 1e-6);
+  EXPECT_GT(highest - lowest, 1e-3);
 }
 
 

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/numbers.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "stepping_scene.h"
+#include "wave_column.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  constexpr double loading_rate = 2e-4, ramp = 1.;
+
+
+
+  /** The spring slider without ends and without viscosity. */
+  WaveColumn
+  spring_slider()
+  {
+    WaveColumn column;
+    column.shear_modulus   = 4.12e7 / 2.6;
+    column.density         = 5e3;
+    column.height          = 1.;
+    column.a               = 0.010;
+    column.b               = 0.015;
+    column.mu0             = 0.6;
+    column.V0              = 1e-6;
+    column.L               = 2e-5;
+    column.normal_stress   = 5e3 * 9.81;
+    column.velocity_of_top = [](const double t) {
+      return t >= ramp ?
+               loading_rate :
+               loading_rate * (1. - std::cos(numbers::PI * t / ramp)) / 2.;
+    };
+    return column;
+  }
+
+
+
+  /** The same as a scene, one cell wide. */
+  std::string
+  scene_of(const WaveColumn &column, const unsigned int n_cells)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << "subsection Bodies\n set Names = lower, upper\n"
+         << " set Base elevation = " << -column.height << "\n";
+    for (const std::string body : {"lower", "upper"})
+      text << " subsection " << body << "\n  set Lower lateral corner = 0\n"
+           << "  set Upper lateral corner = " << column.height / n_cells
+           << "\n  set Thickness = " << column.height
+           << "\n  set Coarse cells = 1, " << n_cells
+           << "\n  set Refinement passes = 0\n  subsection Material\n"
+           << "   set Young modulus = " << 2.6 * column.shear_modulus
+           << "\n   set Poisson ratio = 0.3\n   set Density = "
+           << column.density << "\n   set Shear viscosity = 0\n"
+           << "   set Bulk viscosity = 0\n  end\n end\n";
+    text << "end\nsubsection Faults\n set Names = fault\n subsection fault\n"
+         << "  set a = " << column.a << "\n  set b = " << column.b
+         << "\n  set Reference friction coefficient = " << column.mu0
+         << "\n  set Reference slip rate = " << column.V0
+         << "\n  set Characteristic slip = " << column.L
+         << "\n  set Normal stress = function\n"
+         << "  set Normal stress function = " << column.normal_stress
+         << "\n end\nend\n"
+         << "subsection Boundary conditions\n set Periodic along x = true\n"
+         << " set Sides = lower bottom, upper top\n subsection lower bottom\n"
+         << "  set x condition = fixed\n  set y condition = fixed\n end\n"
+         << " subsection upper top\n  set x condition = velocity\n"
+         << "  set x value = " << loading_rate
+         << "\n  set y condition = fixed\n  set Ramp length = " << ramp
+         << "\n end\nend\nsubsection Time\n set End time = 100\nend\n";
+    return text.str();
+  }
+
+
+
+  /** A slip rate over time. */
+  struct Series
+  {
+    std::vector<double> time, slip_rate;
+
+    /** Between the values, ln V is linear. */
+    double
+    at(const double t) const
+    {
+      const std::size_t k =
+        std::lower_bound(time.begin(), time.end(), t) - time.begin();
+      const double x = (t - time[k - 1]) / (time[k] - time[k - 1]);
+      return std::exp((1. - x) * std::log(slip_rate[k - 1]) +
+                      x * std::log(slip_rate[k]));
+    }
+
+    /** When the slip rate rises over twice the loading rate, having been below
+     * half of it. */
+    std::vector<double>
+    events() const
+    {
+      std::vector<double> result;
+      bool                armed = true;
+      for (std::size_t k = 1; k < time.size(); ++k)
+        if (armed && slip_rate[k] > 2. * loading_rate)
+          {
+            const double before = std::log(slip_rate[k - 1]),
+                         after  = std::log(slip_rate[k]);
+            result.push_back(time[k - 1] +
+                             (time[k] - time[k - 1]) *
+                               (std::log(2. * loading_rate) - before) /
+                               (after - before));
+            armed = false;
+          }
+        else if (slip_rate[k] < 0.5 * loading_rate)
+          armed = true;
+      return result;
+    }
+  };
+
+
+
+  Series
+  simulate(const WaveColumn               &column,
+           const unsigned int              n_cells,
+           const double                    end_time,
+           const std::vector<std::string> &overrides = {})
+  {
+    SteppingScene scene(scene_of(column, n_cells), overrides);
+    Series        series;
+    series.time      = {0.};
+    series.slip_rate = {0.};
+    while (scene.state.time < end_time)
+      {
+        scene.advance();
+        series.time.push_back(scene.state.time);
+        series.slip_rate.push_back(std::abs(scene.state.slip_rate[0][0]));
+      }
+    return series;
+  }
+
+  /** Slides smoothly and ever faster as the pull sets in. */
+  WaveColumn
+  strengthening_column()
+  {
+    WaveColumn column      = spring_slider();
+    column.is_arcsinh      = true;
+    column.a               = 0.02;
+    column.b               = 0.01;
+    column.mu0             = 0.;
+    column.V0              = 1e-3;
+    column.L               = 1e-3;
+    column.normal_stress   = 2e4;
+    column.velocity_of_top = [](const double t) {
+      return 1e-2 * (1. - std::cos(numbers::PI * std::min(t, 1.))) / 2.;
+    };
+    return column;
+  }
+
+
+
+  /** Of the velocities on a vertical line, relative to their size. */
+  double
+  error_of_profile(const SteppingScene &scene, const WaveColumn &column)
+  {
+    const MeshLevel<2> &level = scene.meshes.finest();
+    double              error = 0, norm = 0;
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const std::vector<Point<2>> points = level.bodies[b]->node_positions();
+        for (unsigned int i = 0; i < points.size(); ++i)
+          if (points[i][0] == 0. && points[i][1] != 0.)
+            {
+              const double exact =
+                column.velocity(points[i][1], scene.state.time);
+              const double ours =
+                scene.state.velocity.local_element(level.node(b, i) * 2);
+              error += (ours - exact) * (ours - exact);
+              norm += exact * exact;
+            }
+      }
+    return std::sqrt(error / norm);
+  }
+} // namespace
+
+
+
+TEST(Column, LoadingEventAndRadiation)
+{
+  WaveColumn column = spring_slider();
+  column.run(24., 0.);
+  const Series coarser{column.time, column.slip_rate};
+  column.steps_a_passage = 2000;
+  column.run(24., 0.);
+  const Series reference{column.time, column.slip_rate};
+  const double start    = reference.events()[0],
+               interval = reference.events()[1] - start;
+  ASSERT_NEAR(coarser.events()[0], start, 1e-8);
+  ASSERT_NEAR(coarser.at(start + 0.08) / reference.at(start + 0.08), 1., 1e-5);
+
+  SteppingScene scene(scene_of(column, 128), {"Time/Tolerance=1e-6"});
+  Series        ours{{0.}, {0.}};
+  while (scene.state.time < start + 0.1)
+    {
+      scene.advance();
+      ours.time.push_back(scene.state.time);
+      ours.slip_rate.push_back(std::abs(scene.state.slip_rate[0][0]));
+      // The waves that the event sends up and down, on the whole height.
+      if (scene.state.time > start + 0.02 && scene.state.time < start + 0.06)
+        {
+          EXPECT_LT(error_of_profile(scene, column), 0.01) << scene.state.time;
+        }
+    }
+
+  // Slip rates of 1e-25 m/s and more, with nothing aligned.
+  for (const double t : {5., 10., 15., 19., 20.})
+    EXPECT_NEAR(ours.at(t) / reference.at(t), 1., 1e-3) << t;
+  // Above half of the loading rate, from the start of the event.
+  const double late = ours.events()[0] - start;
+  EXPECT_LT(std::abs(late), 1e-3 * interval);
+  double peak = 0;
+  for (double t = start - 0.5; t < start + 0.09; t += 1e-3)
+    {
+      peak = std::max(peak, reference.at(t));
+      if (reference.at(t) > 0.5 * loading_rate)
+        {
+          EXPECT_NEAR(ours.at(t + late) / reference.at(t), 1., 0.01) << t;
+        }
+    }
+  EXPECT_GT(peak, 100. * loading_rate);
+}
+
+
+
+TEST(Column, EventTimeConverges)
+{
+  WaveColumn column = spring_slider();
+  column.run(20.5, 0.);
+  const double start = Series{column.time, column.slip_rate}.events().front();
+
+  // The steps follow the third root of the tolerance, and their error is of
+  // second order: a hundredth of the tolerance for a twentieth of the error.
+  std::vector<double> errors;
+  for (const std::string tolerance : {"1e-4", "1e-6"})
+    errors.push_back(
+      std::abs(simulate(column, 64, 20.5, {"Time/Tolerance=" + tolerance})
+                 .events()
+                 .front() -
+               start));
+  EXPECT_LT(errors[0], 3e-3);
+  EXPECT_LT(errors[1], errors[0] / 15.);
+}
+
+
+
+TEST(Column, SecondOrderInMeshAndStep)
+{
+  constexpr double end_time = 0.8;
+  WaveColumn       column   = strengthening_column();
+  column.run(end_time + 0.1, 0.);
+  const Series reference{column.time, column.slip_rate};
+
+  const auto error = [&](const unsigned int i, const std::string &update) {
+    SteppingScene scene(scene_of(column, 8u << i),
+                        {"Faults/fault/Regularisation=arcsinh",
+                         "Boundary conditions/upper top/x value=1e-2",
+                         "TNNMG/Tolerance=1e-12",
+                         "Time/Rate-state tolerance=1e-12",
+                         "Time/Step size control=constant",
+                         "Time/State update=" + update,
+                         "Time/Largest step=" +
+                           std::to_string(0.005 / (1u << i))});
+    double        largest = 0;
+    while (scene.state.time < end_time * (1. - 1e-12))
+      {
+        scene.advance();
+        if (scene.state.time > 0.3)
+          largest = std::max(largest,
+                             std::abs(std::abs(scene.state.slip_rate[0][0]) -
+                                      reference.at(scene.state.time)));
+      }
+    return largest;
+  };
+  for (const std::string update : {"exponential", "implicit Euler"})
+    {
+      std::vector<double> errors;
+      for (unsigned int i = 0; i < 4; ++i)
+        errors.push_back(error(i, update));
+      for (unsigned int i = 0; i < 3; ++i)
+        EXPECT_NEAR(std::log2(errors[i] / errors[i + 1]),
+                    update == "exponential" ? 2. : 1.,
+                    0.06)
+          << update << ' ' << errors[i];
+      EXPECT_LT(errors.back(), 1e-6);
+    }
+}
