@@ -289,6 +289,30 @@ TEST(SceneErrors, BodiesThatNothingHolds)
 
 
 
+TEST(SceneErrors, PeriodicBodiesOfDifferentExtents)
+{
+  expect_error(two_bodies,
+               {"Boundary conditions/Periodic along x=true"},
+               {"'Bodies/upper/Lower and Upper lateral corner' = '-1, 2.5'",
+                "'lower'",
+                "'-2.5, 2.5'",
+                "'Boundary conditions/Periodic along x' = 'true'"});
+}
+
+
+
+TEST(SceneErrors, ConditionsOnSidesThatPeriodicityJoins)
+{
+  expect_error(with("set Sides = lower bottom, upper top",
+                    "set Sides = lower bottom, upper top, lower left"),
+               {"Boundary conditions/Periodic along x=true",
+                "Bodies/upper/Lower lateral corner=-2.5"},
+               {"'lower left'",
+                "'Boundary conditions/Periodic along x' = 'true'"});
+}
+
+
+
 TEST(SceneErrors, EventsNeedAThreshold)
 {
   const std::string at_rest = "Boundary conditions/upper top/x value=0";
