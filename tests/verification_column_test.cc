@@ -162,9 +162,12 @@ namespace
 
 
 
-  /** Of the velocities on a vertical line, relative to their size. */
+  /** Of the velocities on a vertical line, relative to their size; they are
+   * late by some time, s. */
   double
-  error_of_profile(const SteppingScene &scene, const WaveColumn &column)
+  error_of_profile(const SteppingScene &scene,
+                   const WaveColumn    &column,
+                   const double         late)
   {
     const MeshLevel<2> &level = scene.meshes.finest();
     double              error = 0, norm = 0;
@@ -175,7 +178,7 @@ namespace
           if (points[i][0] == 0. && points[i][1] != 0.)
             {
               const double exact =
-                column.velocity(points[i][1], scene.state.time);
+                column.velocity(points[i][1], scene.state.time - late);
               const double ours =
                 scene.state.velocity.local_element(level.node(b, i) * 2);
               error += (ours - exact) * (ours - exact);
@@ -203,6 +206,7 @@ TEST(Column, LoadingEventAndRadiation)
 
   SteppingScene scene(scene_of(column, 128), {"Time/Tolerance=1e-6"});
   Series        ours{{0.}, {0.}};
+  double        largest_of_profiles = 0;
   while (scene.state.time < start + 0.1)
     {
       scene.advance();
@@ -210,10 +214,11 @@ TEST(Column, LoadingEventAndRadiation)
       ours.slip_rate.push_back(std::abs(scene.state.slip_rate[0][0]));
       // The waves that the event sends up and down, on the whole height.
       if (scene.state.time > start + 0.02 && scene.state.time < start + 0.06)
-        {
-          EXPECT_LT(error_of_profile(scene, column), 0.01) << scene.state.time;
-        }
+        largest_of_profiles = std::max(
+          largest_of_profiles,
+          error_of_profile(scene, column, ours.events().front() - start));
     }
+  EXPECT_LT(largest_of_profiles, 0.01);
 
   // Slip rates of 1e-25 m/s and more, with nothing aligned.
   for (const double t : {5., 10., 15., 19., 20.})
@@ -221,16 +226,24 @@ TEST(Column, LoadingEventAndRadiation)
   // Above half of the loading rate, from the start of the event.
   const double late = ours.events()[0] - start;
   EXPECT_LT(std::abs(late), 1e-3 * interval);
-  double peak = 0;
+  double peak = 0, largest = 0;
   for (double t = start - 0.5; t < start + 0.09; t += 1e-3)
     {
       peak = std::max(peak, reference.at(t));
       if (reference.at(t) > 0.5 * loading_rate)
         {
-          EXPECT_NEAR(ours.at(t + late) / reference.at(t), 1., 0.01) << t;
+          const double error = ours.at(t + late) / reference.at(t) - 1.;
+          largest            = std::max(largest, std::abs(error));
         }
     }
+  EXPECT_LT(largest, 0.01);
+  RecordProperty("largest relative error of the slip rate",
+                 std::to_string(largest));
   EXPECT_GT(peak, 100. * loading_rate);
+  RecordProperty("largest relative error of the velocities of a profile",
+                 std::to_string(largest_of_profiles));
+  RecordProperty("steps", static_cast<int>(ours.time.size()) - 1);
+  RecordProperty("error of the event's start, s", std::to_string(late));
 }
 
 
