@@ -55,9 +55,9 @@ def event_errors(times, reference, end):
     pairs = matching(times, reference)
     notes = []
     if len(times) > len(pairs):
-        notes.append(f"{len(times) - len(pairs)} events the reference has not")
+        notes.append(f"events too many: {len(times) - len(pairs)}")
     if len(reference) > len(pairs):
-        notes.append(f"{len(reference) - len(pairs)} events missing")
+        notes.append(f"events missing: {len(reference) - len(pairs)}")
     errors = {"events_matched": len(pairs)}
     if pairs:
         shift = np.array([times[i] - reference[j] for i, j in pairs])
