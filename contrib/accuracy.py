@@ -58,7 +58,7 @@ def main():
             if arguments.only not in (None, name):
                 continue
             own = measure(section, store, arguments.quick, records, log)
-            if arguments.quick:
+            if arguments.quick and own:
                 print("\n" + section.text(own), flush=True)
     if not arguments.quick:
         for path in sections.publish(records):

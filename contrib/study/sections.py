@@ -76,16 +76,12 @@ def order_text(records):
 
 
 def quick_time():
-    """The default and the published control at coarse tolerances."""
+    """Coarse tolerances of the default and the published control, beside the default
+    tolerance."""
+    runs = {(case.family, case.tolerance): case for case in cases.time_cases()}
     chosen = (cases.DEFAULT, "1e-3"), (cases.PUBLISHED, "1e-2")
-    to = dataclasses.replace(
-        cases.time_cases()[0], settings=(("Time/Tolerance", "1e-4"),)
-    )
-    return [
-        dataclasses.replace(case, reference=to)
-        for case in cases.time_cases()
-        if (case.family, case.tolerance) in chosen
-    ]
+    to = runs[cases.DEFAULT, cases.DEFAULT_TOLERANCE]
+    return [dataclasses.replace(runs[key], reference=to) for key in chosen]
 
 
 def quick_independent():
