@@ -169,6 +169,7 @@ BULK = [
     ("bulk 1", {}),
     ("bulk 1/2", bodies(Coarse_cells="20, 4", Refinement_passes=3)),
     ("bulk 1/4", bodies(Coarse_cells="40, 8", Refinement_passes=2)),
+    ("bulk 1/8", bodies(Coarse_cells="80, 16", Refinement_passes=1)),
 ]
 # All but the cells next to the fault stay as they are.
 FAULT = [
@@ -178,21 +179,29 @@ FAULT = [
     ("fault 1/2", bodies(Refinement_passes=5)),
     ("fault 1/4", bodies(Refinement_passes=6)),
 ]
+# As fine away from the fault, with faces on the fault twice as long.
+BALANCED = [
+    ("20 x 4 cells, 2 passes", bodies(Coarse_cells="20, 4", Refinement_passes=2)),
+    ("40 x 8 cells, 1 pass", bodies(Coarse_cells="40, 8", Refinement_passes=1)),
+]
 
 
-def mesh_series(family, meshes, end_time=SHORT):
-    """Runs on meshes, each compared with that on the last one."""
+def mesh_series(family, meshes, to=None):
+    """Runs on meshes, each compared with that on the last one if not with another."""
     *others, (finest, settings) = meshes
-    last = Case("space", family, "1e-4", pairs(settings), finest, end_time=end_time)
+    last = Case("space", family, "1e-4", pairs(settings), finest, to)
     return [
-        Case("space", family, "1e-4", pairs(settings), mesh, last, end_time)
+        Case("space", family, "1e-4", pairs(settings), mesh, to or last)
         for mesh, settings in others
     ] + [last]
 
 
 def space_cases():
+    all_cells = mesh_series("all cells", ALL_CELLS)
+    finest = all_cells[-1]
     return [
-        *mesh_series("all cells", ALL_CELLS),
-        *mesh_series("bulk", BULK),
+        *all_cells,
+        *mesh_series("bulk", BULK, finest),
+        *mesh_series("balanced", BALANCED, finest),
         *mesh_series("fault", FAULT),
     ]

@@ -59,12 +59,14 @@ def space_text(records):
 
 def order_text(records):
     """Order and limit of the first event, from the three finest meshes."""
-    shifts = [value(record, "shift_first_event_s") for record in records[:-1]] + [0.0]
-    if len(shifts) < 3 or any(math.isnan(shift) for shift in shifts[-3:]):
+    # All are shifts from the same run, which itself has none.
+    shifts = [value(record, "shift_first_event_s") for record in records]
+    shifts = [0.0 if math.isnan(shift) else shift for shift in shifts]
+    if len(shifts) < 4:
         return ""
     before, last = shifts[-3] - shifts[-2], shifts[-2] - shifts[-1]
     if before * last <= 0 or abs(last) >= abs(before):
-        return "The first event does not converge monotonically.\n"
+        return "The shifts of the first event are no power of the cells' size.\n"
     ratio = before / last
     left = last / (ratio - 1)
     return (
