@@ -35,12 +35,14 @@ def milliseconds(record):
     return 1e3 * value(record, front.ERROR)
 
 
-def line(axes, points, label, style):
+def line(axes, points, label, style, size=5):
+    """Markers larger than the usual ones are open, to be seen around others."""
     colour, marker, dashes = style
     if points:
         axes.loglog(
-            *zip(*points), color=colour, marker=marker, markersize=5,
-            linestyle=dashes, linewidth=1.3, label=label,
+            *zip(*points), color=colour, marker=marker, markersize=size,
+            markerfacecolor=colour if size <= 5 else "none", linestyle=dashes,
+            linewidth=1.3, label=label,
         )
 
 
@@ -121,8 +123,10 @@ def draw_convergence(records):
     }
     for family, own in of_section["time"].items():
         if family in STYLES and family.startswith("embedded"):
-            line(panels[0], by_tolerance(own), family.split(" (")[0], STYLES[family])
-    slope(panels[0], (1e-7, 1e-5), 0.05, 2 / 3, "2/3")
+            label, size = family.split(" (")[0], 9 if "nested" in family else 5
+            line(panels[0], by_tolerance(own), label, STYLES[family], size)
+    slope(panels[0], (1e-6, 1e-4), 0.06, 2 / 3, "2/3")
+    slope(panels[1], (1e-6, 1e-4), 0.02, 2 / 3, "2/3")
     panels[0].set_title("published mesh, own reference", fontsize=9)
     styles = ((VERMILION, "o", "-"), (BLUE, "v", "-"))
     for (family, own), style in zip(of_section["independent"].items(), styles):
@@ -136,7 +140,8 @@ def draw_convergence(records):
             for r in own
             if milliseconds(r) > 0
         ]
-        line(panels[2], points, f"{family} smaller", style)
+        size = 9 if family == "all cells" else 5
+        line(panels[2], points, f"{family} smaller", style, size)
     panels[2].set_title("meshes, finest as reference", fontsize=9)
     slope(panels[2], (0.25, 1.0), 2.5, 1.5, "3/2")
     for axes, label in zip(

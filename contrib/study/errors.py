@@ -38,14 +38,16 @@ def last_time(run):
 
 
 def first_event_errors(times, reference):
-    if min(len(times), len(reference)) < FIRST_EVENTS:
+    """The shift of the first event, and of all four where there are as many."""
+    n = min(len(times), len(reference), FIRST_EVENTS)
+    if n == 0:
         return {}
-    shift = np.subtract(times[:FIRST_EVENTS], reference[:FIRST_EVENTS])
-    return {
-        "shift_first_event_s": shift[0],
-        "error_event_time_s": np.sqrt(np.mean(shift**2)),
-        "error_event_time_max_s": np.abs(shift).max(),
-    }
+    shift = np.subtract(times[:n], reference[:n])
+    errors = {"shift_first_event_s": shift[0]}
+    if n == FIRST_EVENTS:
+        errors["error_event_time_s"] = np.sqrt(np.mean(shift**2))
+        errors["error_event_time_max_s"] = np.abs(shift).max()
+    return errors
 
 
 def event_errors(times, reference, end):

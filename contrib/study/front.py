@@ -54,14 +54,14 @@ def default(records):
 
 
 def line_of(records, cost):
-    """Power and factor of error = factor * cost^power through the finest runs."""
+    """Power and factor of error = factor * cost^power through the finest runs; None
+    where the error does not fall with each of them."""
     finest = sorted(records, key=lambda r: value(r, "steps"))[-FITTED:]
-    chosen = [r for r in finest if value(r, cost) > 0]
-    if len(chosen) < 3:
+    costs = np.array([value(r, cost) for r in finest])
+    errors = np.array([value(r, ERROR) for r in finest])
+    if len(finest) < 3 or not (costs > 0).all() or (np.diff(errors) >= 0).any():
         return None
-    x = np.log([value(r, cost) for r in chosen])
-    y = np.log([value(r, ERROR) for r in chosen])
-    power, offset = np.polyfit(x, y, 1)
+    power, offset = np.polyfit(np.log(costs), np.log(errors), 1)
     return (power, np.exp(offset)) if power < 0 else None
 
 
@@ -72,7 +72,8 @@ def cost_cells(records, cost):
         return "–", "–"
     power, factor = line
     needed = (GOAL / factor) ** (1 / power)
-    return f"{0.5 ** (1 / power):.2f}", f"{needed:,.0f}"
+    rounded = f"{needed:.1f}" if needed < 1000 else f"{100 * round(needed / 100):,}"
+    return f"{0.5 ** (1 / power):.2f}", rounded
 
 
 def halving_table(records):
@@ -113,7 +114,8 @@ def text(records):
     return (
         f"A line through the logarithms of cost and error of the {FITTED} finest runs "
         "of each family (three where that is all) gives what halving the error "
-        f"costs, as a factor, and what an error of {1e3 * GOAL:g} ms costs:\n\n"
+        f"costs, as a factor, and what an error of {1e3 * GOAL:g} ms costs; a dash "
+        "where the error does not fall from run to run:\n\n"
         + halving_table(own)
         + "\nThe front by multigrid cycles (condensed Newton has none):\n\n"
         + front_table(own)
