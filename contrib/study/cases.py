@@ -75,7 +75,8 @@ TIME_FAMILIES = (
     ("step doubling, exponential, interleaved", THRESHOLD,
      ("1e-2", "3e-3", "1e-3", "3e-4", "1e-4"), DOUBLING),
     (PUBLISHED, THRESHOLD,
-     ("1e-2", "3e-3", "1e-3", "3e-4", "1e-4"), DOUBLING | EULER | NESTED),
+     ("1e-2", "3e-3", "1e-3", "3e-4", "1e-4", "1e-5"),
+     DOUBLING | EULER | NESTED),
 )
 
 
@@ -137,6 +138,9 @@ def front_cases():
                 ("1e-2", "1e-3", "1e-4", "1e-5"), {"TNNMG/Tolerance": "1e-6"}),
         *series("front", "TNNMG tolerance 1e-7", TOLERANCE,
                 ("1e-3", "1e-4", "1e-5"), {"TNNMG/Tolerance": "1e-7"}),
+        *series("front", "TNNMG tolerance 1e-6, one cycle a correction", TOLERANCE,
+                ("1e-3", "1e-4", "1e-5"),
+                {"TNNMG/Tolerance": "1e-6", "TNNMG/Cycles per correction": "1"}),
         *series("front", "condensed Newton", TOLERANCE,
                 ("1e-2", "1e-3", "1e-4", "1e-5"), CONDENSED),
     ]

@@ -19,6 +19,7 @@ STYLES = {
     "condensed Newton": (GREEN, "P", "-"),
     "TNNMG tolerance 1e-6": (GREY, "x", "--"),
     "TNNMG tolerance 1e-7": (GREY, "+", ":"),
+    "TNNMG tolerance 1e-6, one cycle a correction": (BLACK, "*", "--"),
 }
 
 
