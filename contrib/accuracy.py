@@ -58,10 +58,14 @@ def main():
             if arguments.only not in (None, name):
                 continue
             own = measure(section, store, arguments.quick, records, log)
-            if arguments.quick and own:
+            if not arguments.quick:
+                # What the section no longer runs goes once all else is there.
+                records = [r for r in records if r["section"] != name] + own
+                write(records)
+            elif own:
                 print("\n" + section.text(own), flush=True)
     if not arguments.quick:
-        for path in sections.publish(records):
+        for path in sections.publish(read()):
             print(f"{path} is written.")
     return 0
 

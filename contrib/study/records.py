@@ -24,6 +24,8 @@ def make_record(case, result, reference):
     """A row: what was run, what it cost, and how far it is from its reference."""
     values, note = errors.compare(result, reference) if reference else ({}, "")
     notes = [text for text in (result["note"], note) if text]
+    if reference and reference.get("note"):
+        notes.append(f"reference {reference['note']}")
     return {
         "section": case.section,
         "family": case.family,

@@ -38,6 +38,8 @@ def reduce(path):
 def history_arrays(history):
     with h5py.File(history, "r") as file:
         group = file["fault"]
+        if group["time"].size < 2:
+            return {}
         x = np.array(group["coordinates"])[:, 0]
         weight = np.array(group["weight"]).ravel()
         time = np.array(group["time"]).ravel()
