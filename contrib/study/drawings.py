@@ -77,7 +77,7 @@ def draw_front(records):
                 markerfacecolor="none", color=BLACK, label="default settings",
             )
         axes.set_xlabel(label)
-        label_ticks(axes.xaxis)
+        label_ticks(axes.xaxis, (1.0, 3.0))
     label_ticks(panels[0].yaxis)
     panels[0].set_ylabel("error of the first four event times, rms, ms")
     handles = dict(zip(*reversed(panels[1].get_legend_handles_labels())))
@@ -89,9 +89,9 @@ def draw_front(records):
     return figure
 
 
-def label_ticks(axis):
+def label_ticks(axis, numbers=(1.0, 2.0, 5.0)):
     """Few decades, in plain numbers."""
-    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_locator(LogLocator(subs=numbers))
     axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,.6g}"))
     axis.set_minor_formatter(NullFormatter())
 
