@@ -18,7 +18,7 @@ STYLES = {
     cases.PUBLISHED: (BLUE, "v", "-"),
     "condensed Newton": (GREEN, "P", "-"),
     "TNNMG tolerance 1e-6": (GREY, "x", "--"),
-    "TNNMG tolerance 1e-7": (GREY, "+", ":"),
+    "TNNMG tolerance 1e-9": (GREY, "+", ":"),
     "TNNMG tolerance 1e-6, one cycle a correction": (BLACK, "*", "--"),
 }
 
