@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Write what was measured into doc/performance.md and doc/data."""
+"""Write what was measured into a page below doc, and into doc/data."""
 
 import csv
 
@@ -10,17 +10,16 @@ PAGE = PROJECT / "doc/performance.md"
 DATA = PROJECT / "doc/data/performance.csv"
 
 
-def marks(section):
-    return f"<!-- {section}, by contrib/benchmark -->", f"<!-- end of {section} -->"
+def marks(section, command):
+    return f"<!-- {section}, by {command} -->", f"<!-- end of {section} -->"
 
 
-def replace_section(section, text):
+def replace_section(section, text, page=PAGE, command="contrib/benchmark"):
     """Put a text between the marks of a section."""
-    begin, end = marks(section)
-    page = PAGE.read_text()
-    before, rest = page.split(begin)
+    begin, end = marks(section, command)
+    before, rest = page.read_text().split(begin)
     _, after = rest.split(end)
-    PAGE.write_text(before + begin + "\n\n" + text.strip() + "\n\n" + end + after)
+    page.write_text(before + begin + "\n\n" + text.strip() + "\n\n" + end + after)
 
 
 def read_records():

@@ -15,7 +15,8 @@ namespace StickSlip
                NumberRange().above(0).below(1),
                "The iteration ends when the error, estimated from the last two "
                "corrections, is below this times the iterate, both in the "
-               "energy norm, without unit.");
+               "energy norm, without unit. A thousandth of Time/Tolerance adds "
+               "nothing to the error of the time steps.");
     add_count(prm,
               "Largest number of iterations",
               max_iterations,

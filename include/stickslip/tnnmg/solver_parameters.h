@@ -37,7 +37,7 @@ namespace StickSlip
      * The iteration ends when the error, as IterationSummary::relative_error()
      * estimates it, is below this.
      */
-    double tolerance = 1e-9;
+    double tolerance = 1e-7;
 
     /** More iterations than this are a failure. */
     unsigned int max_iterations = 100;

@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Measure how large the error of the spring slider is, and what halving it costs.
+
+Usage: accuracy.py [--quick] [--only SECTION] [--keep FOLDER]
+
+To be started by contrib/accuracy, which builds what is measured. Writes
+doc/data/speed_against_error.csv row by row, then the tables between the marks in
+doc/accuracy.md and the figures in doc/images; with --quick a few short runs are
+shown, and nothing is written. The results of sections that are not measured stay.
+"""
+
+import argparse
+import sys
+import time
+
+from measure import programs
+from study import sections
+from study.records import make_record, put, read, write
+from study.slider import Store
+
+
+def measure(section, store, quick, records, log):
+    """Run the cases of a section; the table on disk grows with each."""
+    own = []
+    for case in section.cases(quick):
+        if section.reference:
+            reference = section.reference(case, store)
+        else:
+            reference = store.result(case.reference) if case.reference else None
+        record = make_record(case, store.result(case), reference)
+        log(f"{case.title()}: {record['cpu_seconds']:.0f} s"
+            f" {record['note']}".rstrip())
+        put(records, record)
+        own.append(record)
+        if not quick:
+            write(records)
+    return own
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--only", choices=sections.SECTIONS, metavar="SECTION")
+    parser.add_argument("--keep", metavar="FOLDER")
+    arguments = parser.parse_args()
+
+    begin = time.monotonic()
+
+    def log(message):
+        print(f"{time.monotonic() - begin:.0f} s: {message}", flush=True)
+
+    records = [] if arguments.quick else read()
+    with programs.temporary_folder() as folder:
+        store = Store(arguments.keep or folder)
+        for name, section in sections.SECTIONS.items():
+            if arguments.only not in (None, name):
+                continue
+            own = measure(section, store, arguments.quick, records, log)
+            if not arguments.quick:
+                # What the section no longer runs goes once all else is there.
+                records = [r for r in records if r["section"] != name] + own
+                write(records)
+            elif own:
+                print("\n" + section.text(own), flush=True)
+    if not arguments.quick:
+        for path in sections.publish(read()):
+            print(f"{path} is written.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
