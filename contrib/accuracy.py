@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Measure how large the error of the spring slider is, and what halving it costs.
+"""Measure how large the errors are, what halving them costs, and which hard cases hold.
 
 Usage: accuracy.py [--quick] [--only SECTION] [--keep FOLDER]
 
@@ -9,6 +9,9 @@ To be started by contrib/accuracy, which builds what is measured. Writes
 doc/data/speed_against_error.csv row by row, then the tables between the marks in
 doc/accuracy.md and the figures in doc/images; with --quick a few short runs are
 shown, and nothing is written. The results of sections that are not measured stay.
+The sections verification and hard are not made of runs of the spring slider: the first
+takes its figures from the tests that compare with solutions from elsewhere, the second
+writes doc/hard_cases.md.
 """
 
 import argparse
@@ -16,7 +19,7 @@ import sys
 import time
 
 from measure import programs
-from study import sections
+from study import others, sections
 from study.records import make_record, put, read, write
 from study.slider import Store
 
@@ -42,7 +45,8 @@ def measure(section, store, quick, records, log):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--only", choices=sections.SECTIONS, metavar="SECTION")
+    parser.add_argument("--only", choices=[*sections.SECTIONS, *others.SECTIONS],
+                        metavar="SECTION")
     parser.add_argument("--keep", metavar="FOLDER")
     arguments = parser.parse_args()
 
@@ -64,6 +68,10 @@ def main():
                 write(records)
             elif own:
                 print("\n" + section.text(own), flush=True)
+        for name, section in others.SECTIONS.items():
+            if arguments.only == name or not (arguments.only or arguments.quick):
+                log(name)
+                section(arguments.quick)
     if not arguments.quick:
         for path in sections.publish(read()):
             print(f"{path} is written.")

@@ -243,7 +243,7 @@ TEST(Column, LoadingEventAndRadiation)
   RecordProperty("largest relative error of the velocities of a profile",
                  std::to_string(largest_of_profiles));
   RecordProperty("steps", static_cast<int>(ours.time.size()) - 1);
-  RecordProperty("error of the event's start, s", std::to_string(late));
+  RecordProperty("shift of the event, s", std::to_string(late));
 }
 
 
