@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/magnitude.h>
 #include <stickslip/time/embedded_control.h>
+#include <stickslip/time/shear_traction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,13 +25,10 @@ namespace StickSlip
       {
         past.in_contact[k]  = faults.in_contact(k);
         const FaultLaw &law = faults.law(k);
-        const double    V   = state.slip_rate[k].norm();
+        const double    V   = magnitude(state.slip_rate[k]);
         past.state_rate[k] =
           state_rate(law.state_law, state.alpha[k], V, law.characteristic_slip);
-        const double coefficient =
-          law.friction->coefficient(V, law.friction->node_data(state.alpha[k]));
-        if (V > 0.)
-          past.friction[k] = coefficient / V * state.slip_rate[k];
+        past.friction[k] = directed_friction(faults, state, k);
       }
     return past;
   }

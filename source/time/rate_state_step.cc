@@ -3,8 +3,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/magnitude.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/rigid_body_modes.h>
+#include <stickslip/time/shear_traction.h>
 #include <stickslip/tnnmg/condensed_solver.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
@@ -62,8 +64,8 @@ namespace StickSlip
         const FaultLaw &law = faults.law(k);
         const double    V =
           time_parameters.state_update == StateUpdate::exponential ?
-               0.5 * (from.slip_rate[k].norm() + slip_rate[k].norm()) :
-               slip_rate[k].norm();
+               0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
+               magnitude(slip_rate[k]);
         alpha[k] = updated_state(law.state_law,
                                  time_parameters.state_update,
                                  from.alpha[k],
@@ -186,7 +188,9 @@ namespace StickSlip
     problem.to_nodal(to.velocity, w);
     Newmark::complete(to, from, tau);
     to.slip_rate = faults.tangential_jumps(w);
-    to.slip      = from.slip;
+    to.balancing_traction =
+      balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
+    to.slip = from.slip;
     for (unsigned int k = 0; k < to.slip.size(); ++k)
       to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))

@@ -33,6 +33,10 @@ namespace StickSlip
 
     /** Accumulated slip, m, and slip rate, m/s. */
     std::vector<Tensor<1, dim - 1>> slip, slip_rate;
+
+    /** Shear traction that resists the slip at nodes that slip more slowly than
+     * a number can say (shear_traction.h), Pa; empty if there are none. */
+    std::vector<Tensor<1, dim - 1>> balancing_traction;
   };
 
   /**
