@@ -24,6 +24,8 @@ namespace StickSlip
     , faults(fault_nodes)
     , time_parameters(time_parameters)
     , tnnmg_parameters(tnnmg_parameters)
+    , generalised_alpha(time_parameters.spectral_radius)
+    , is_newmark(time_parameters.scheme == TimeScheme::newmark)
   {
     reinit();
   }
@@ -46,6 +48,33 @@ namespace StickSlip
     else
       solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
                                                   tnnmg_parameters);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RateStateStep<dim>::operator_coefficients(const double tau) const
+  {
+    return is_newmark ? Newmark::operator_coefficients(tau) :
+                        generalised_alpha.operator_coefficients(tau);
+  }
+
+
+
+  template <int dim>
+  void
+  RateStateStep<dim>::complete(SystemState<dim>       &to,
+                               const SystemState<dim> &from,
+                               const double            tau) const
+  {
+    if (is_newmark)
+      Newmark::complete(to, from, tau);
+    else
+      generalised_alpha.complete(to, from, tau);
+    to.slip = from.slip;
+    for (unsigned int k = 0; k < to.slip.size(); ++k)
+      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
   }
 
 
@@ -107,7 +136,9 @@ namespace StickSlip
     StepCounts       &counts = result.counts;
     to.time                  = from.time + tau;
     to.alpha                 = prediction ? prediction->alpha : from.alpha;
-    const NodalVector rhs    = Newmark::right_hand_side(problem, from, tau);
+    const NodalVector rhs =
+      is_newmark ? Newmark::right_hand_side(problem, from, tau) :
+                   generalised_alpha.right_hand_side(problem, from, tau);
 
     // The unknown starts from the prediction, with what is prescribed.
     to.velocity = prediction ? prediction->velocity : from.velocity;
@@ -117,7 +148,7 @@ namespace StickSlip
     for (const unsigned int p : problem.hierarchy().finest().nonsmooth_nodes)
       w.local_element(p * dim + dim - 1) = 0.;
 
-    problem.hierarchy().combine(Newmark::operator_coefficients(tau));
+    problem.hierarchy().combine(operator_coefficients(tau));
     try
       {
         solver->start(rhs, w);
@@ -186,13 +217,10 @@ namespace StickSlip
     if (!nested)
       solver->finish(rhs, w);
     problem.to_nodal(to.velocity, w);
-    Newmark::complete(to, from, tau);
     to.slip_rate = faults.tangential_jumps(w);
     to.balancing_traction =
       balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
-    to.slip = from.slip;
-    for (unsigned int k = 0; k < to.slip.size(); ++k)
-      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
+    complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       {
         result.converged = false;

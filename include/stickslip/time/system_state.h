@@ -28,6 +28,10 @@ namespace StickSlip
     /** m, m/s, m/s^2 */
     NodalVector displacement, velocity, acceleration;
 
+    /** That of the generalised-alpha method, m/s^2; empty with any other, and
+     * at the start. */
+    NodalVector auxiliary_acceleration;
+
     /** ln(theta / 1 s) */
     std::vector<double> alpha;
 
