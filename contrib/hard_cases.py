@@ -4,13 +4,16 @@
 """Run the hard cases and compare each with a reference.
 
 Usage: hard_cases.py [--only TEXT]... [--list] [--dry] [--keep FOLDER]
-                     [--program PROGRAM]
+                     [--program PROGRAM] [--ringing] [--locking]
 
 Needs build/stickslip, or another program given. Each case is a scene made from the spring slider; its
 reference is the same scene, solved in another way. Writes
 doc/data/hard_cases.csv and the table in doc/hard_cases.md; with --dry only
 prints. --only takes the cases with that text in their group or name, the rows
 of all others stay. --keep keeps all files of the runs in that folder.
+
+--ringing and --locking print what the other two tables of that page are made
+from.
 
 A case holds if the run reaches its end, or is refused as it should be, if
 the reference does, and if both agree to 1e-5 (see hard/compare.py).
@@ -22,7 +25,7 @@ import sys
 import tempfile
 import time
 
-from hard import compare, friction, page, space, stepping
+from hard import compare, friction, locking, page, ringing, space, stepping
 from hard.run import PROGRAM, run
 from hard.scene import text
 
@@ -88,7 +91,16 @@ def main():
     parser.add_argument("--dry", action="store_true")
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
+    parser.add_argument("--ringing", action="store_true")
+    parser.add_argument("--locking", action="store_true")
     arguments = parser.parse_args()
+
+    for asked, what in ((arguments.ringing, ringing), (arguments.locking, locking)):
+        if asked:
+            with tempfile.TemporaryDirectory(prefix="stickslip-hard-") as temporary:
+                what.measure(arguments.program, pathlib.Path(temporary))
+    if arguments.ringing or arguments.locking:
+        return 0
 
     everything = [*friction.cases(), *stepping.cases(), *space.cases()]
     names = [f"{case.group}: {case.name}" for case in everything]

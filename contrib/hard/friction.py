@@ -76,7 +76,7 @@ def laws():
                         },
                     ),
                     CONDENSED,
-                    timeout=200,
+                    timeout=60,
                 )
 
 
@@ -87,7 +87,7 @@ def characteristic_slips():
             f"L = {slip} m",
             slider(23, fault={"Characteristic slip": slip}),
             CONDENSED,
-            timeout=200,
+            timeout=60,
         )
 
 

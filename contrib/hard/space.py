@@ -21,19 +21,21 @@ def stiffness():
 
 
 def layers():
-    """A layer between two bodies of 1 m, its cells ten times as long as high."""
+    """A layer between two bodies of 1 m. With the pressure of the equilibrium in
+    place of the weight above, the ends of the upper fault chatter."""
     for thickness in ("0.3", "0.1", "0.03", "0.01", "0.003", "0.001"):
         for aspect in (5, 50):
             n = round(5 / (float(thickness) * aspect))
-            if n > 1000:
+            if n > 1000 or n < 2:
                 continue
-            scene = bodies(["lower", "layer", "upper"])
+            scene = bodies(
+                ["lower", "layer", "upper"], fault={"Normal stress": "lithostatic"}
+            )
             scene |= {
-                "Time/End time": "2",
+                "Time/End time": "0.5",
                 "Bodies/layer/Thickness": thickness,
                 "Bodies/layer/Coarse cells": f"{n}, 1",
                 "Bodies/layer/Refinement passes": "1",
-                "Boundary conditions/upper top/x value": "1e-2",
             }
             yield Case(
                 "thin layers",
@@ -41,6 +43,7 @@ def layers():
                 scene,
                 UMFPACK,
                 "exact linear corrections",
+                timeout=30,
             )
 
 
@@ -75,10 +78,18 @@ def mesh_ratios():
 
 def incompressible():
     for ratio in (0.3, 0.45, 0.49, 0.499, 0.4999):
-        entries = {}
-        for body in ("lower", "upper"):
-            entries |= material(body, poisson_ratio=ratio)
-        yield Case("Poisson's ratio", f"nu = {ratio}", slider(22.6, entries), CONDENSED)
+        for strain in ("full", "cell mean"):
+            entries = {"Time/End time": "1"}
+            for body in ("lower", "upper"):
+                entries |= material(body, poisson_ratio=ratio)
+                entries[f"Bodies/{body}/Material/Volumetric strain"] = strain
+            yield Case(
+                "Poisson's ratio",
+                f"nu = {ratio}, volumetric strain {strain}",
+                slider(1, entries, fault={"Normal stress": "lithostatic"}),
+                CONDENSED,
+                timeout=30,
+            )
 
 
 def many_faults():
@@ -87,8 +98,8 @@ def many_faults():
             [f"layer{i}" for i in range(n + 1)],
             body={"Coarse cells": "10, 2", "Refinement passes": "1"},
             fault={"Characteristic slip": "2e-4"},
-        ) | {"Time/End time": "8", f"Boundary conditions/layer{n} top/x value": "1e-3"}
-        yield Case("many faults", f"{n} faults", scene, CONDENSED, timeout=200)
+        ) | {"Time/End time": "2", f"Boundary conditions/layer{n} top/x value": "1e-3"}
+        yield Case("many faults", f"{n} faults", scene, CONDENSED, timeout=60)
 
 
 def sliding():
@@ -108,7 +119,7 @@ def sliding():
                 fault={"b": "0", "Reference friction coefficient": "0.1"},
             ),
             CONDENSED,
-            timeout=200,
+            timeout=60,
         )
 
 

@@ -22,9 +22,10 @@ def nucleation():
                     "Time/Initial step": size,
                 },
             ),
-            CONDENSED,
-            note="halved where rate and state do not settle",
-            timeout=150,
+            {"Time/Step size control": "embedded", "Time/Tolerance": "1e-5"},
+            "estimated error, tolerance 1e-5",
+            note="constant steps estimate no error",
+            timeout=60,
         )
     for size in ("0.5", "2", "8", "16"):
         yield Case(
@@ -90,7 +91,7 @@ def reversal():
                 },
             ),
             CONDENSED,
-            timeout=150,
+            timeout=60,
         )
 
 
