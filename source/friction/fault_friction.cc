@@ -5,6 +5,7 @@
 
 #include <stickslip/friction/fault_friction.h>
 #include <stickslip/friction/local_problem.h>
+#include <stickslip/magnitude.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,19 +31,6 @@ namespace StickSlip
       for (unsigned int i = 0; i < dim - 1; ++i)
         v_t[i] = v[i];
       return v_t;
-    }
-
-    // Slip rates whose square underflows are nothing unusual.
-    double
-    magnitude(const Tensor<1, 1> &v)
-    {
-      return std::abs(v[0]);
-    }
-
-    double
-    magnitude(const Tensor<1, 2> &v)
-    {
-      return std::hypot(v[0], v[1]);
     }
 
     /**

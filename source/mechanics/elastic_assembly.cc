@@ -110,6 +110,20 @@ namespace StickSlip
 
 
 
+    /** The integrals over the cell of the gradients of all shape functions. */
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    integrated_gradients(const FEValues<dim> &fe_values)
+    {
+      std::vector<Tensor<1, dim>> result(fe_values.dofs_per_cell);
+      for (unsigned int i = 0; i < result.size(); ++i)
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          result[i] += fe_values.shape_grad(i, q) * fe_values.JxW(q);
+      return result;
+    }
+
+
+
     template <int dim>
     void
     add(BlockMatrix<dim>     &matrix,
@@ -150,11 +164,27 @@ namespace StickSlip
           const FEValues<dim>         &fe_values,
           const std::vector<LocalRow> &rows) {
         const Material &material = materials[body];
+        const double    mu       = material.shear_modulus();
         const double    eta      = material.shear_viscosity;
-        // The deviatoric and the volumetric part of the viscous stress in the
-        // form of Lame parameters; the deviator is that of three dimensions,
-        // in plane strain too.
-        const double bulk_lambda = material.bulk_viscosity - 2. * eta / 3.;
+        // The deviator is that of three dimensions, in plane strain too. What
+        // resists a change of volume either joins it, in the form of Lame's
+        // first parameter, or acts on the mean over the cell.
+        double lambda         = -2. * mu / 3.;
+        double viscous_lambda = -2. * eta / 3.;
+
+        std::vector<Tensor<1, dim>> integrals;
+        double                      volume = 0.;
+        if (material.volumetric_strain == VolumetricStrain::cell_mean)
+          {
+            integrals = integrated_gradients(fe_values);
+            for (const double JxW : fe_values.get_JxW_values())
+              volume += JxW;
+          }
+        else
+          {
+            lambda = material.lame_lambda();
+            viscous_lambda += material.bulk_viscosity;
+          }
         for (unsigned int i = 0; i < rows.size(); ++i)
           for (unsigned int j = 0; j < rows.size(); ++j)
             {
@@ -167,11 +197,15 @@ namespace StickSlip
                   const Tensor<1, dim> &gj  = fe_values.shape_grad(j, q);
                   mass += material.density * fe_values.shape_value(i, q) *
                           fe_values.shape_value(j, q) * JxW;
-                  stiffness += JxW * isotropic_block(material.lame_lambda(),
-                                                     material.shear_modulus(),
-                                                     gi,
-                                                     gj);
-                  damping += JxW * isotropic_block(bulk_lambda, eta, gi, gj);
+                  stiffness += JxW * isotropic_block(lambda, mu, gi, gj);
+                  damping += JxW * isotropic_block(viscous_lambda, eta, gi, gj);
+                }
+              if (!integrals.empty())
+                {
+                  const Tensor<2, dim> mean =
+                    outer_product(integrals[i], integrals[j]) / volume;
+                  stiffness += material.bulk_modulus() * mean;
+                  damping += material.bulk_viscosity * mean;
                 }
               Tensor<2, dim> mass_block;
               for (unsigned int c = 0; c < dim; ++c)

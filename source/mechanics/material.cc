@@ -23,6 +23,14 @@ namespace StickSlip
 
 
 
+  double
+  Material::bulk_modulus() const
+  {
+    return youngs_modulus / (3. * (1. - 2. * poissons_ratio));
+  }
+
+
+
   void
   Material::add_parameters(ParameterHandler &prm)
   {
@@ -52,5 +60,15 @@ namespace StickSlip
                bulk_viscosity,
                NumberRange().at_least(0),
                "Viscosity zeta against change of volume, in Pa s.");
+    add_choice(prm,
+               "Volumetric strain",
+               volumetric_strain,
+               {{VolumetricStrain::full, "full"},
+                {VolumetricStrain::cell_mean, "cell mean"}},
+               "What resists the change of volume in a cell: that at each "
+               "point (full), or its mean over the cell (cell mean). The "
+               "latter is for nearly incompressible bodies, from a Poisson "
+               "ratio of about 0.45 on, which are far too stiff in bending "
+               "otherwise.");
   }
 } // namespace StickSlip

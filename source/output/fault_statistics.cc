@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/magnitude.h>
 #include <stickslip/output/fault_statistics.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ namespace StickSlip
         const double weight = fault.weights[p];
         if (!(weight > 0))
           continue;
-        const double rate     = fault.slip_rate[p].norm();
+        const double rate     = magnitude(fault.slip_rate[p]);
         const bool   is_first = (total_weight == 0);
 
         if (is_first || rate > statistics.max_slip_rate)

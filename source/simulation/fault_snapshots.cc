@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/magnitude.h>
 #include <stickslip/simulation/fault_snapshots.h>
+#include <stickslip/time/shear_traction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,20 +30,14 @@ namespace StickSlip
              k < nodes.first_of_fault()[f + 1];
              ++k)
           {
-            const FrictionLaw       &law  = *nodes.law(k).friction;
-            const Tensor<1, dim - 1> rate = sign * state.slip_rate[k];
-            const double             V    = rate.norm();
-            const double             normal_stress =
+            const double normal_stress =
               nodes.in_contact(k) ? nodes.normal_stress()[k] : 0.;
-            const double strength =
-              normal_stress * law.coefficient(V, law.node_data(state.alpha[k]));
             snapshot.slip.push_back(sign * state.slip[k]);
-            snapshot.slip_rate.push_back(rate);
+            snapshot.slip_rate.push_back(sign * state.slip_rate[k]);
             snapshot.normal_stress.push_back(normal_stress);
             snapshot.state.push_back(std::exp(state.alpha[k]));
             snapshot.shear_traction.push_back(
-              V > 0. ? Tensor<1, dim - 1>(strength / V * rate) :
-                       Tensor<1, dim - 1>());
+              sign * normal_stress * directed_friction(nodes, state, k));
           }
       }
     return snapshots;
@@ -55,7 +51,7 @@ namespace StickSlip
   {
     double largest = 0;
     for (const auto &rate : state.slip_rate)
-      largest = std::max(largest, rate.norm());
+      largest = std::max(largest, magnitude(rate));
     return largest;
   }
 

@@ -138,6 +138,7 @@ namespace StickSlip
       }
     state.slip.resize(state.alpha.size());
     state.slip_rate.resize(state.alpha.size());
+    state.balancing_traction = equilibrium.shear_traction;
     return state;
   }
 

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/magnitude.h>
 #include <stickslip/output/volume_writer.h>
 #include <stickslip/simulation/agreement.h>
 #include <stickslip/simulation/loading_rate.h>
@@ -98,7 +99,8 @@ namespace StickSlip
     for (const auto &fault : faults)
       for (unsigned int k = 0; k < fault.slip_rate.size(); ++k)
         if (fault.weights[k] > 0.)
-          last_slip_rate = std::max(last_slip_rate, fault.slip_rate[k].norm());
+          last_slip_rate =
+            std::max(last_slip_rate, magnitude(fault.slip_rate[k]));
 
     write(true,
           fault_cadence.is_due(step.time, last_slip_rate),

@@ -272,6 +272,10 @@ namespace StickSlip
       }
     problem.to_nodal(current.velocity, w);
     current.slip_rate = faults.tangential_jumps(w);
+    // That of nodes off contact means nothing any more.
+    for (unsigned int k = 0; k < current.balancing_traction.size(); ++k)
+      if (!faults.in_contact(k))
+        current.balancing_traction[k] = Tensor<1, dim - 1>();
     if (energy)
       energy->reinit(current);
   }

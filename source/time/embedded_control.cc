@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/magnitude.h>
 #include <stickslip/time/embedded_control.h>
+#include <stickslip/time/shear_traction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +16,9 @@ namespace StickSlip
   {
     const FaultNodes<dim> &faults = this->faults;
     Past                   past;
-    past.time     = state.time;
-    past.velocity = state.velocity;
+    past.time      = state.time;
+    past.velocity  = state.velocity;
+    past.slip_rate = state.slip_rate;
     past.state_rate.resize(faults.size());
     past.friction.resize(faults.size());
     past.in_contact.resize(faults.size());
@@ -23,13 +26,10 @@ namespace StickSlip
       {
         past.in_contact[k]  = faults.in_contact(k);
         const FaultLaw &law = faults.law(k);
-        const double    V   = state.slip_rate[k].norm();
+        const double    V   = magnitude(state.slip_rate[k]);
         past.state_rate[k] =
           state_rate(law.state_law, state.alpha[k], V, law.characteristic_slip);
-        const double coefficient =
-          law.friction->coefficient(V, law.friction->node_data(state.alpha[k]));
-        if (V > 0.)
-          past.friction[k] = coefficient / V * state.slip_rate[k];
+        past.friction[k] = directed_friction(faults, state, k);
       }
     return past;
   }
@@ -59,7 +59,7 @@ namespace StickSlip
 
 
   template <int dim>
-  double
+  typename EmbeddedControl<dim>::Estimate
   EmbeddedControl<dim>::estimate_error(
     const SystemState<dim>    &to,
     const Past                &now,
@@ -82,28 +82,42 @@ namespace StickSlip
       alpha_error[k] = alpha_factor * (to.alpha[k] - predicted_alpha[k]);
     const double state_error = faults.l2_norm(alpha_error);
     if (history.size() < 3)
-      return state_error;
+      return {state_error, state_error};
 
     const double h1 = history[0].time - history[1].time;
     const double h2 = history[1].time - history[2].time;
     const double c0 = h * h * h / 12.;
     const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
     // Lagrange weights of the quadratic through the last three values.
-    const double        w0 = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
-    const double        w1 = -h * (h + h1 + h2) / (h1 * h2);
-    const double        w2 = h * (h + h1) / ((h1 + h2) * h2);
-    std::vector<double> friction_error(n);
+    const double w0        = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
+    const double w1        = -h * (h + h1 + h2) / (h1 * h2);
+    const double w2        = h * (h + h1) / ((h1 + h2) * h2);
+    const auto   deviation = [&](const auto &values, const unsigned k) {
+      return magnitude((now.*values)[k] - w0 * (history[0].*values)[k] -
+                       w1 * (history[1].*values)[k] -
+                       w2 * (history[2].*values)[k]);
+    };
+    double fastest = 0.;
+    for (unsigned int k = 0; k < n; ++k)
+      fastest = std::max({fastest,
+                          magnitude(now.slip_rate[k]),
+                          magnitude(history[0].slip_rate[k])});
+    std::vector<double> friction_error(n), slip_error(n);
     for (unsigned int k = 0; k < n; ++k)
       // Friction that a node meets on coming into contact has no past.
       if (history[0].in_contact[k] && history[1].in_contact[k] &&
           history[2].in_contact[k])
-        friction_error[k] =
-          (now.friction[k] - w0 * history[0].friction[k] -
-           w1 * history[1].friction[k] - w2 * history[2].friction[k])
-            .norm() *
-          faults.relative_normal_stress()[k] /
-          std::max(faults.law(k).a, faults.law(k).b) * c0 / (cc + c0);
-    return std::hypot(state_error, faults.l2_norm(friction_error));
+        {
+          friction_error[k] =
+            deviation(&Past::friction, k) * faults.relative_normal_stress()[k] /
+            std::max(faults.law(k).a, faults.law(k).b) * c0 / (cc + c0);
+          slip_error[k] =
+            deviation(&Past::slip_rate, k) /
+            std::max(fastest, faults.law(k).characteristic_slip / h) * c0 /
+            (cc + c0);
+        }
+    return {std::hypot(state_error, faults.l2_norm(friction_error)),
+            std::hypot(state_error, faults.l2_norm(slip_error))};
   }
 
 
@@ -140,8 +154,10 @@ namespace StickSlip
             continue;
           }
 
-        Past         now   = remember(result.state);
-        const double error = estimate_error(result.state, now, predicted_alpha);
+        Past           now = remember(result.state);
+        const Estimate estimate =
+          estimate_error(result.state, now, predicted_alpha);
+        const double error = estimate.error;
         last_error         = error;
         double factor =
           0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
@@ -151,9 +167,13 @@ namespace StickSlip
             // Not std::min(factor, 0.5): the factor may be no number.
             this->proposed = this->on_grid((factor < 0.5 ? factor : 0.5) * tau);
             just_rejected  = true;
-            this->reject(state.time,
-                         this->proposed,
-                         "the estimated error stays above Time/Tolerance");
+            std::string reason =
+              "the estimated error stays above Time/Tolerance";
+            if (estimate.without_traction <= tolerance)
+              reason +=
+                ", since the traction on a fault jumps: some node comes "
+                "to rest, or reverses its slip, at once";
+            this->reject(state.time, this->proposed, reason);
             continue;
           }
         // A step cut short by the end of the ramp or of the run says nothing

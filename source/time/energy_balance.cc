@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/magnitude.h>
 #include <stickslip/time/energy_balance.h>
 
 #include <algorithm>
@@ -185,7 +186,7 @@ namespace StickSlip
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
         const FrictionLaw &law = *faults.law(k).friction;
-        const double       V   = state.slip_rate[k].norm();
+        const double       V   = magnitude(state.slip_rate[k]);
         if (faults.weights()[k] > 0. && V > 0.)
           result.friction += faults.weights()[k] * faults.normal_stress()[k] *
                              law.coefficient(V, law.node_data(state.alpha[k])) *

@@ -16,10 +16,10 @@ namespace StickSlip
   {
     template <int dim>
     void
-    set_contact_pressure(InitialEquilibrium<dim> &result,
-                         const JumpBasis<dim>    &basis,
-                         const NodePartition     &nodes,
-                         const NodalVector       &reaction)
+    set_contact_tractions(InitialEquilibrium<dim> &result,
+                          const JumpBasis<dim>    &basis,
+                          const NodePartition     &nodes,
+                          const NodalVector       &reaction)
     {
       for (const FaultContact<dim> &contact : basis.faults())
         {
@@ -47,6 +47,12 @@ namespace StickSlip
               // and so is the force on it times the weight.
               result.contact_pressure.push_back(
                 sign * forces[nearest][dim - 1] / coupling.weight[nearest]);
+              // Friction resists what the reaction holds.
+              result.shear_traction.emplace_back();
+              if (coupling.active[k])
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  result.shear_traction.back()[d] =
+                    -forces[k][d] / coupling.weight[k];
             }
         }
     }
@@ -113,7 +119,7 @@ namespace StickSlip
     NodalVector reaction = problem.make_vector();
     hierarchy.matrix().residual(reaction, load, w);
     reaction *= -1.;
-    set_contact_pressure(result, problem.jump_basis(), finest.nodes, reaction);
+    set_contact_tractions(result, problem.jump_basis(), finest.nodes, reaction);
     result.displacement = problem.make_nodal_vector();
     problem.to_nodal(result.displacement, w);
     return result;

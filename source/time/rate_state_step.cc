@@ -3,8 +3,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/magnitude.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/rigid_body_modes.h>
+#include <stickslip/time/shear_traction.h>
 #include <stickslip/tnnmg/condensed_solver.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
@@ -22,6 +24,8 @@ namespace StickSlip
     , faults(fault_nodes)
     , time_parameters(time_parameters)
     , tnnmg_parameters(tnnmg_parameters)
+    , generalised_alpha(time_parameters.spectral_radius)
+    , is_newmark(time_parameters.scheme == TimeScheme::newmark)
   {
     reinit();
   }
@@ -50,6 +54,33 @@ namespace StickSlip
 
   template <int dim>
   std::vector<double>
+  RateStateStep<dim>::operator_coefficients(const double tau) const
+  {
+    return is_newmark ? Newmark::operator_coefficients(tau) :
+                        generalised_alpha.operator_coefficients(tau);
+  }
+
+
+
+  template <int dim>
+  void
+  RateStateStep<dim>::complete(SystemState<dim>       &to,
+                               const SystemState<dim> &from,
+                               const double            tau) const
+  {
+    if (is_newmark)
+      Newmark::complete(to, from, tau);
+    else
+      generalised_alpha.complete(to, from, tau);
+    to.slip = from.slip;
+    for (unsigned int k = 0; k < to.slip.size(); ++k)
+      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
   RateStateStep<dim>::update_state(const SystemState<dim> &from,
                                    const NodalVector      &w,
                                    const double            tau) const
@@ -62,8 +93,8 @@ namespace StickSlip
         const FaultLaw &law = faults.law(k);
         const double    V =
           time_parameters.state_update == StateUpdate::exponential ?
-               0.5 * (from.slip_rate[k].norm() + slip_rate[k].norm()) :
-               slip_rate[k].norm();
+               0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
+               magnitude(slip_rate[k]);
         alpha[k] = updated_state(law.state_law,
                                  time_parameters.state_update,
                                  from.alpha[k],
@@ -105,7 +136,9 @@ namespace StickSlip
     StepCounts       &counts = result.counts;
     to.time                  = from.time + tau;
     to.alpha                 = prediction ? prediction->alpha : from.alpha;
-    const NodalVector rhs    = Newmark::right_hand_side(problem, from, tau);
+    const NodalVector rhs =
+      is_newmark ? Newmark::right_hand_side(problem, from, tau) :
+                   generalised_alpha.right_hand_side(problem, from, tau);
 
     // The unknown starts from the prediction, with what is prescribed.
     to.velocity = prediction ? prediction->velocity : from.velocity;
@@ -115,7 +148,7 @@ namespace StickSlip
     for (const unsigned int p : problem.hierarchy().finest().nonsmooth_nodes)
       w.local_element(p * dim + dim - 1) = 0.;
 
-    problem.hierarchy().combine(Newmark::operator_coefficients(tau));
+    problem.hierarchy().combine(operator_coefficients(tau));
     try
       {
         solver->start(rhs, w);
@@ -184,11 +217,10 @@ namespace StickSlip
     if (!nested)
       solver->finish(rhs, w);
     problem.to_nodal(to.velocity, w);
-    Newmark::complete(to, from, tau);
     to.slip_rate = faults.tangential_jumps(w);
-    to.slip      = from.slip;
-    for (unsigned int k = 0; k < to.slip.size(); ++k)
-      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
+    to.balancing_traction =
+      balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
+    complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       {
         result.converged = false;

@@ -61,6 +61,22 @@ namespace StickSlip
                "No step is longer than this fraction of the longest loading "
                "ramp while that lasts, without unit.");
     add_choice(prm,
+               "Scheme",
+               scheme,
+               {{TimeScheme::newmark, "Newmark"},
+                {TimeScheme::generalised_alpha, "generalised alpha"}},
+               "How displacement and velocity are advanced by a step: by "
+               "Newmark's method, which damps nothing (Newmark), or by the "
+               "generalised-alpha method, which damps oscillations that are "
+               "too fast for the step size. Both are of second order.");
+    add_number(prm,
+               "Spectral radius at infinity",
+               spectral_radius,
+               NumberRange().at_least(0).at_most(1),
+               "What the generalised-alpha method leaves of the fastest "
+               "oscillations after a step, without unit: 1 damps nothing and "
+               "is Newmark's method, 0 damps most.");
+    add_choice(prm,
                "State update",
                state_update,
                {{StateUpdate::exponential, "exponential"},

@@ -33,6 +33,11 @@ namespace StickSlip
 
   /**
    * Assemble the matrices; @p materials from the lowest body to the highest.
+   *
+   * Where a material asks for the mean volumetric strain of the cell, that
+   * takes the place of tr(eps) in the part of the stiffness and of the
+   * viscosity that resists the change of volume; the deviatoric part is
+   * integrated in full (Nagtegaal, Parks and Rice 1974; Hughes 1980).
    */
   template <int dim>
   ElasticMatrices<dim>

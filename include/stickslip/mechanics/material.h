@@ -11,6 +11,17 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * What the change of volume is in the stiffness and viscosity of a cell.
+   */
+  enum class VolumetricStrain
+  {
+    /** tr(eps) as it is, at each point; the default. */
+    full,
+    /** Its mean over the cell, for nearly incompressible bodies. */
+    cell_mean
+  };
+
+  /**
    * An isotropic Kelvin-Voigt solid,
    *
    *   sigma = 2 mu eps(u) + lambda tr(eps(u)) I
@@ -36,6 +47,9 @@ namespace StickSlip
     /** Bulk viscosity zeta, Pa s. */
     double bulk_viscosity = 1e3;
 
+    /** How the change of volume is discretised. */
+    VolumetricStrain volumetric_strain = VolumetricStrain::full;
+
     /** First Lame parameter lambda = E nu / ((1 + nu)(1 - 2 nu)), Pa. */
     double
     lame_lambda() const;
@@ -43,6 +57,10 @@ namespace StickSlip
     /** Shear modulus mu = E / (2 (1 + nu)), Pa. */
     double
     shear_modulus() const;
+
+    /** Bulk modulus kappa = E / (3 (1 - 2 nu)), Pa. */
+    double
+    bulk_modulus() const;
 
     /** Declare the entries in the current subsection of @p prm. */
     void

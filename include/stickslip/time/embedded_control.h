@@ -24,6 +24,11 @@ namespace StickSlip
    * step and of its prediction. The error is the L2(fault) norm of both; the
    * next size is 0.8 (tolerance / error)^(1/3) times the last, between a
    * fifth and twice, and does not grow right after a rejection.
+   *
+   * Friction jumps where a node comes to rest or its slip reverses, and with it
+   * the traction next to it, however short the step. To tell this cause in the
+   * message, the error is estimated without the traction, too: with |V -
+   * extrapolated| / max(the largest slip rate, L/h) * c0 / (cc + c0) instead.
    */
   template <int dim>
   class EmbeddedControl : public StepSizeController<dim>
@@ -49,6 +54,8 @@ namespace StickSlip
       std::vector<Tensor<1, dim - 1>> friction;
       /** Whether there was any. */
       std::vector<bool> in_contact;
+      /** Slave relative to master, m/s. */
+      std::vector<Tensor<1, dim - 1>> slip_rate;
     };
 
     Past
@@ -58,7 +65,13 @@ namespace StickSlip
     std::vector<double>
     predict_alpha(const SystemState<dim> &state, const double tau) const;
 
-    double
+    struct Estimate
+    {
+      /** Of state and traction; of state and slip rate. */
+      double error, without_traction;
+    };
+
+    Estimate
     estimate_error(const SystemState<dim>    &to,
                    const Past                &now,
                    const std::vector<double> &predicted_alpha) const;

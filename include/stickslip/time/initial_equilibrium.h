@@ -25,6 +25,10 @@ namespace StickSlip
      */
     std::vector<double> contact_pressure;
 
+    /** Shear traction at each slave node that keeps the fault stuck, slave
+     * relative to master, Pa; zero off contact. */
+    std::vector<Tensor<1, dim - 1>> shear_traction;
+
     unsigned int iterations = 0;
   };
 

@@ -5,6 +5,7 @@
 #define stickslip_time_rate_state_step_h
 
 #include <stickslip/time/fault_nodes.h>
+#include <stickslip/time/generalised_alpha.h>
 #include <stickslip/time/newmark.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
@@ -69,6 +70,17 @@ namespace StickSlip
             NodalVector            &w,
             const IterationSummary *before);
 
+    /** Coefficients of mass, damping and stiffness in the operator. */
+    std::vector<double>
+    operator_coefficients(const double tau) const;
+
+    /** Displacement, accelerations and slip of @p to, of which velocity and
+     * slip rates are known. */
+    void
+    complete(SystemState<dim>       &to,
+             const SystemState<dim> &from,
+             const double            tau) const;
+
     /** The state at the end of the step if the slip rates are those of w. */
     std::vector<double>
     update_state(const SystemState<dim> &from,
@@ -79,6 +91,8 @@ namespace StickSlip
     FaultNodes<dim>                      &faults;
     const TimeParameters                 &time_parameters;
     const TNNMGParameters                &tnnmg_parameters;
+    const GeneralisedAlpha                generalised_alpha;
+    const bool                            is_newmark;
     std::unique_ptr<NonsmoothSolver<dim>> solver;
     StepCounts                            totals;
     unsigned long                         steps = 0;

@@ -28,11 +28,19 @@ namespace StickSlip
     /** m, m/s, m/s^2 */
     NodalVector displacement, velocity, acceleration;
 
+    /** That of the generalised-alpha method, m/s^2; empty with any other, and
+     * at the start. */
+    NodalVector auxiliary_acceleration;
+
     /** ln(theta / 1 s) */
     std::vector<double> alpha;
 
     /** Accumulated slip, m, and slip rate, m/s. */
     std::vector<Tensor<1, dim - 1>> slip, slip_rate;
+
+    /** Shear traction that resists the slip at nodes that slip more slowly than
+     * a number can say (shear_traction.h), Pa; empty if there are none. */
+    std::vector<Tensor<1, dim - 1>> balancing_traction;
   };
 
   /**

@@ -26,6 +26,17 @@ namespace StickSlip
   };
 
   /**
+   * How displacement and velocity are advanced by a step.
+   */
+  enum class TimeScheme
+  {
+    /** Newmark's method with beta = 1/4, gamma = 1/2, without damping. */
+    newmark,
+    /** Generalised alpha, which damps fast oscillations. */
+    generalised_alpha
+  };
+
+  /**
    * How the rate and the state problem of one step are iterated.
    */
   enum class RateStateMethod
@@ -74,6 +85,11 @@ namespace StickSlip
      * the ramp lasts: the error estimates see nothing of a load to come.
      */
     double ramp_fraction = 0.025;
+
+    TimeScheme scheme = TimeScheme::newmark;
+
+    /** Of the generalised-alpha method: 1 damps nothing, 0 most. */
+    double spectral_radius = 0.8;
 
     StateUpdate state_update = StateUpdate::exponential;
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_shear_traction_h
+#define stickslip_time_shear_traction_h
+
+#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/time/fault_nodes.h>
+#include <stickslip/time/system_state.h>
+
+namespace StickSlip
+{
+  /**
+   * Below this slip rate, m/s, the friction law does not tell the traction:
+   * numbers end at 1e-308, and with a small direct effect a the slip rate of a
+   * stuck node, exp(-mu/a), lies far below.
+   */
+  constexpr double least_slip_rate = 1e-300;
+
+  /**
+   * The friction coefficient at a slave node times the direction of slip,
+   * slave relative to master: from the law, or, where the slip rate is below
+   * least_slip_rate, from the balance of forces that the state remembers.
+   * Zero where nothing presses.
+   */
+  template <int dim>
+  Tensor<1, dim - 1>
+  directed_friction(const FaultNodes<dim>  &faults,
+                    const SystemState<dim> &state,
+                    const unsigned int      k);
+
+  /**
+   * The shear tractions at all slave nodes that balance the forces on them, Pa,
+   * where the slip rates of @p state are below least_slip_rate, and zero
+   * elsewhere; empty if there is no such node. @p A and @p b: the rate problem,
+   * @p w its solution. Collective.
+   */
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  balancing_tractions(const FaultNodes<dim>  &faults,
+                      const SystemState<dim> &state,
+                      const BlockMatrix<dim> &A,
+                      const NodalVector      &b,
+                      const NodalVector      &w);
+} // namespace StickSlip
+
+#endif
