@@ -43,7 +43,7 @@ def layers():
                 scene,
                 UMFPACK,
                 "exact linear corrections",
-                timeout=30,
+                timeout=20,
             )
 
 
@@ -88,7 +88,7 @@ def incompressible():
                 f"nu = {ratio}, volumetric strain {strain}",
                 slider(1, entries, fault={"Normal stress": "lithostatic"}),
                 CONDENSED,
-                timeout=30,
+                timeout=20,
             )
 
 

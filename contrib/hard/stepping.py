@@ -79,15 +79,15 @@ def viscosity():
 
 
 def reversal():
-    for period in (4, 20, 100):
+    for period, rate in ((4, "2e-3"), (20, "4e-4"), (100, "4e-4")):
         yield Case(
             "loading that reverses",
-            f"2e-4 m/s, back and forth in {period} s",
+            f"{rate} m/s, back and forth in {period} s",
             slider(
                 60,
                 {
                     "Boundary conditions/upper top/x value":
-                    f"{'2e-3' if period == 4 else '4e-4'} * cos(2 * pi * t / {period})"
+                    f"{rate} * cos(2 * pi * t / {period})"
                 },
             ),
             CONDENSED,
