@@ -15,7 +15,8 @@ using namespace StickSlip::Tests;
 TEST(ParallelRun, SpringSliderHasTheSameFirstEvent)
 {
   const SceneParameters<2> scene =
-    published_scene("spring_slider", {"Time/End time=24"});
+    published_scene("spring_slider",
+                    {"Time/End time=24", "TNNMG/Tolerance=1e-9"});
   const RunHistory ours(scene, MPI_COMM_WORLD);
   ASSERT_EQ(ours.events.size(), 1u);
   EXPECT_GT(ours.events[0].start, 20.);
@@ -53,7 +54,8 @@ namespace
       "Faults/fault/Normal stress function=1e3",
       "Time/End time=2.1",
       "Time/Largest step=0.05",
-      "Time/Tolerance=1e-3"};
+      "Time/Tolerance=1e-3",
+      "TNNMG/Tolerance=1e-9"};
     overrides.insert(overrides.end(), more.begin(), more.end());
     return read_scene(creeping_bodies, overrides);
   }
