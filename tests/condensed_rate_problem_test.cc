@@ -168,8 +168,10 @@ namespace
         if (!problem.hierarchy().finest().fixed.is_active(i, c) &&
             std::binary_search(nodes.begin(), nodes.end(), i))
           w.local_element(2 * i + c) = 0.;
+    TNNMGParameters parameters = scene.tnnmg;
+    parameters.tolerance       = 1e-9;
     const SolveSummary summary =
-      TNNMGSolver<2>(problem.hierarchy(), scene.tnnmg).solve(friction, b, w);
+      TNNMGSolver<2>(problem.hierarchy(), parameters).solve(friction, b, w);
     EXPECT_TRUE(summary.converged) << summary;
     problem.to_nodal(u, w);
 

@@ -114,6 +114,7 @@ TEST(Periodic, SpringSliderIsOneDimensional)
                     {"Boundary conditions/Periodic along x=true",
                      "Bodies/lower/Refinement passes=2",
                      "Bodies/upper/Refinement passes=1",
+                     "TNNMG/Tolerance=1e-9",
                      "Time/End time=22"}),
     MPI_COMM_WORLD);
   simulation.set_up();
