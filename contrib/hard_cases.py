@@ -6,8 +6,9 @@
 Usage: hard_cases.py [--only TEXT]... [--list] [--dry] [--keep FOLDER]
                      [--program PROGRAM] [--ringing] [--locking]
 
-Needs build/stickslip, or another program given. Each case is a scene made from the spring slider; its
-reference is the same scene, solved in another way. Writes
+Needs build/stickslip, or another program given, and build/tests/tnnmg_tests. Each case
+is a scene made from the spring slider; its reference is the same scene, solved in
+another way. What no scene can state is taken from a test. Writes
 doc/data/hard_cases.csv and the table in doc/hard_cases.md; with --dry only
 prints. --only takes the cases with that text in their group or name, the rows
 of all others stay. --keep keeps all files of the runs in that folder.
@@ -25,7 +26,7 @@ import sys
 import tempfile
 import time
 
-from hard import compare, friction, locking, page, ringing, space, stepping
+from hard import compare, friction, locking, page, ringing, space, stepping, tests
 from hard.run import PROGRAM, run
 from hard.scene import text
 
@@ -104,6 +105,8 @@ def main():
 
     everything = [*friction.cases(), *stepping.cases(), *space.cases()]
     names = [f"{case.group}: {case.name}" for case in everything]
+    names += tests.ROWS
+    everything += tests.ROWS.values()
     rows = {row["case"]: row for row in page.read_data() if row["case"] in names}
     with tempfile.TemporaryDirectory(prefix="stickslip-hard-") as temporary:
         for number, (name, case) in enumerate(zip(names, everything)):
@@ -114,7 +117,11 @@ def main():
                 continue
             begin = time.monotonic()
             folder = (arguments.keep or pathlib.Path(temporary)) / str(number)
-            row = rows[name] = measure(arguments.program, case, folder)
+            row = rows[name] = (
+                case(folder)
+                if name in tests.ROWS
+                else measure(arguments.program, case, folder)
+            )
             print(f"{time.monotonic() - begin:5.1f} s  ",
                   " | ".join(row.values()), flush=True)
             if not arguments.dry:
