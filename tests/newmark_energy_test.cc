@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
-
 #include <gtest/gtest.h>
 #include <stickslip/time/newmark.h>
 
-#include "stuck_faults.h"
+#include <tuple>
+
+#include "free_vibration.h"
 
 using namespace StickSlip;
+using namespace StickSlip::Tests;
 
 namespace
 {
@@ -188,32 +188,8 @@ namespace
     double      omega;
 
     explicit Vibration(const SpatialProblem<2> &problem)
-      : shape(problem.make_vector())
     {
-      const unsigned int       n = shape.size();
-      LAPACKFullMatrix<double> K(n), M(n);
-      const auto               expand = [](LAPACKFullMatrix<double> &full,
-                             const BlockMatrix<2>     &A) {
-        for (unsigned int i = 0; i < A.n_rows(); ++i)
-          for (unsigned int k = A.sparsity().row_start[i];
-               k < A.sparsity().row_start[i + 1];
-               ++k)
-            for (unsigned int c = 0; c < 2; ++c)
-              for (unsigned int d = 0; d < 2; ++d)
-                full(i * 2 + c, A.sparsity().column[k] * 2 + d) =
-                  A.block(k)[c * 2 + d];
-      };
-      expand(K, problem.hierarchy().term(stiffness));
-      expand(M, problem.hierarchy().term(mass));
-      std::vector<Vector<double>> modes(4, Vector<double>(n));
-      K.compute_generalized_eigenvalues_symmetric(M, modes);
-      for (unsigned int i = 0; i < n; ++i)
-        shape.local_element(i) = modes[3][i];
-      omega = std::sqrt(K.eigenvalue(3).real());
-
-      // Three rigid motions, then elasticity.
-      EXPECT_LT(std::abs(K.eigenvalue(2).real()), 1e-8 * omega * omega);
-      shape /= shape.linfty_norm();
+      std::tie(shape, omega) = free_vibration(problem, 3);
     }
 
     /** The coefficient of the vibration in a vector; nothing else may be in

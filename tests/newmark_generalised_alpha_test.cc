@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
-
 #include <gtest/gtest.h>
 #include <stickslip/time/generalised_alpha.h>
 #include <stickslip/time/newmark.h>
 
-#include "stuck_faults.h"
+#include <tuple>
+
+#include "free_vibration.h"
 
 using namespace StickSlip;
+using namespace StickSlip::Tests;
 
 namespace
 {
@@ -24,30 +24,8 @@ namespace
     /** @p number counts from the lowest one; the rigid motions come first. */
     explicit Vibration(const unsigned int number)
       : scene(stack<2>({make_body<2>(1., {{2, 1}}, 0)}), {}, {elastic()}, 0.)
-      , shape(scene.problem.make_vector())
     {
-      const SpatialProblem<2> &problem = scene.problem;
-      const unsigned int       n       = shape.size();
-      LAPACKFullMatrix<double> K(n), M(n);
-      const auto               expand = [](LAPACKFullMatrix<double> &full,
-                             const BlockMatrix<2>     &A) {
-        for (unsigned int i = 0; i < A.n_rows(); ++i)
-          for (unsigned int k = A.sparsity().row_start[i];
-               k < A.sparsity().row_start[i + 1];
-               ++k)
-            for (unsigned int c = 0; c < 2; ++c)
-              for (unsigned int d = 0; d < 2; ++d)
-                full(i * 2 + c, A.sparsity().column[k] * 2 + d) =
-                  A.block(k)[c * 2 + d];
-      };
-      expand(K, problem.hierarchy().term(SpatialProblem<2>::stiffness));
-      expand(M, problem.hierarchy().term(SpatialProblem<2>::mass));
-      std::vector<Vector<double>> modes(number + 1, Vector<double>(n));
-      K.compute_generalized_eigenvalues_symmetric(M, modes);
-      for (unsigned int i = 0; i < n; ++i)
-        shape.local_element(i) = modes[number][i];
-      omega = std::sqrt(K.eigenvalue(number).real());
-      shape /= shape.linfty_norm();
+      std::tie(shape, omega) = free_vibration(scene.problem, number);
     }
 
     static Material

@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+#include "endless_layers.h"
 #include "stepping_scene.h"
 #include "wave_column.h"
 
@@ -47,36 +48,26 @@ namespace
   std::string
   scene_of(const WaveColumn &column, const unsigned int n_cells)
   {
-    std::ostringstream text;
-    text.precision(17);
-    text << "subsection Bodies\n set Names = lower, upper\n"
-         << " set Base elevation = " << -column.height << "\n";
-    for (const std::string body : {"lower", "upper"})
-      text << " subsection " << body << "\n  set Lower lateral corner = 0\n"
-           << "  set Upper lateral corner = " << column.height / n_cells
-           << "\n  set Thickness = " << column.height
-           << "\n  set Coarse cells = 1, " << n_cells
-           << "\n  set Refinement passes = 0\n  subsection Material\n"
-           << "   set Young modulus = " << 2.6 * column.shear_modulus
-           << "\n   set Poisson ratio = 0.3\n   set Density = "
-           << column.density << "\n   set Shear viscosity = 0\n"
-           << "   set Bulk viscosity = 0\n  end\n end\n";
-    text << "end\nsubsection Faults\n set Names = fault\n subsection fault\n"
-         << "  set a = " << column.a << "\n  set b = " << column.b
-         << "\n  set Reference friction coefficient = " << column.mu0
-         << "\n  set Reference slip rate = " << column.V0
-         << "\n  set Characteristic slip = " << column.L
-         << "\n  set Normal stress = function\n"
-         << "  set Normal stress function = " << column.normal_stress
-         << "\n end\nend\n"
-         << "subsection Boundary conditions\n set Periodic along x = true\n"
-         << " set Sides = lower bottom, upper top\n subsection lower bottom\n"
-         << "  set x condition = fixed\n  set y condition = fixed\n end\n"
-         << " subsection upper top\n  set x condition = velocity\n"
-         << "  set x value = " << loading_rate
-         << "\n  set y condition = fixed\n  set Ramp length = " << ramp
-         << "\n end\nend\nsubsection Time\n set End time = 100\nend\n";
-    return text.str();
+    EndlessLayers layers;
+    for (Material &material : layers.material)
+      {
+        material.poissons_ratio  = 0.3;
+        material.youngs_modulus  = 2.6 * column.shear_modulus;
+        material.density         = column.density;
+        material.shear_viscosity = material.bulk_viscosity = 0.;
+      }
+    layers.thickness.fill(column.height);
+    layers.coarse_cells.fill({{1, n_cells}});
+    layers.length                       = column.height / n_cells;
+    layers.friction.a                   = column.a;
+    layers.friction.b                   = column.b;
+    layers.friction.reference_friction  = column.mu0;
+    layers.friction.reference_slip_rate = column.V0;
+    layers.friction.characteristic_slip = column.L;
+    layers.normal_stress                = column.normal_stress;
+    layers.velocity                     = loading_rate;
+    layers.ramp_length                  = ramp;
+    return layers.text();
   }
 
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "endless_layers.h"
 #include "steady_sliding.h"
 #include "stepping_scene.h"
 
@@ -35,54 +36,31 @@ namespace
 
 
   /** The layers of a theory, one wave length of them. */
-  std::string
-  scene_of(const SteadySliding &theory,
-           const StateLaw       law,
-           const unsigned int   n_halvings)
+  SteppingScene
+  make_scene(const SteadySliding &theory,
+             const StateLaw       law,
+             const unsigned int   n_halvings)
   {
-    std::ostringstream text;
-    text.precision(17);
-    const double length = 2. * numbers::PI / theory.wave_number;
-    text << "subsection Bodies\n set Names = lower, upper\n"
-         << " set Base elevation = " << -theory.thickness[0] << "\n";
+    EndlessLayers layers;
+    layers.material  = theory.material;
+    layers.thickness = theory.thickness;
+    layers.length    = 2. * numbers::PI / theory.wave_number;
     for (unsigned int layer = 0; layer < 2; ++layer)
-      {
-        const Material &solid = theory.material[layer];
-        text << " subsection " << (layer == 0 ? "lower" : "upper")
-             << "\n  set Lower lateral corner = 0\n"
-             << "  set Upper lateral corner = " << length
-             << "\n  set Thickness = " << theory.thickness[layer]
-             << "\n  set Coarse cells = 4, "
-             << std::max(1., std::round(4. * theory.thickness[layer] / length))
-             << "\n  set Uniform refinements = " << n_halvings
-             << "\n  set Refinement passes = 0\n  subsection Material\n"
-             << "   set Young modulus = " << solid.youngs_modulus
-             << "\n   set Poisson ratio = " << solid.poissons_ratio
-             << "\n   set Density = " << solid.density
-             << "\n   set Shear viscosity = " << solid.shear_viscosity
-             << "\n   set Bulk viscosity = " << solid.bulk_viscosity
-             << "\n  end\n end\n";
-      }
-    text << "end\nsubsection Faults\n set Names = fault\n subsection fault\n"
-         << "  set a = " << theory.friction.a
-         << "\n  set b = " << theory.friction.b
-         << "\n  set Characteristic slip = "
-         << theory.friction.characteristic_slip << "\n  set State law = "
-         << (law == StateLaw::aging ? "aging" : "slip")
-         << "\n  set Normal stress = function\n"
-         << "  set Normal stress function = " << theory.normal_stress
-         << "\n end\nend\n"
-         << "subsection Boundary conditions\n set Periodic along x = true\n"
-         << " set Sides = lower bottom, upper top\n subsection lower bottom\n"
-         << "  set x condition = fixed\n  set y condition = fixed\n end\n"
-         << " subsection upper top\n  set x condition = velocity\n"
-         << "  set x value = " << theory.slip_rate
-         << "\n  set y condition = fixed\n  set Ramp length = 0\n end\nend\n"
-         << "subsection Gravity\n set Acceleration = 0\nend\n"
-         << "subsection TNNMG\n set Tolerance = 1e-12\nend\n"
-         << "subsection Time\n set Rate-state tolerance = 1e-12\n"
-         << " set Largest step = 1e6\n set Initial step = 1e-3\nend\n";
-    return text.str();
+      layers.coarse_cells[layer] = {
+        {4,
+         static_cast<unsigned int>(std::max(
+           1., std::round(4. * theory.thickness[layer] / layers.length)))}};
+    layers.uniform_refinements = n_halvings;
+    layers.friction            = theory.friction;
+    layers.normal_stress       = theory.normal_stress;
+    layers.velocity            = theory.slip_rate;
+    return SteppingScene(layers.text(),
+                         {std::string("Faults/fault/State law=") +
+                            (law == StateLaw::aging ? "aging" : "slip"),
+                          "TNNMG/Tolerance=1e-12",
+                          "Time/Rate-state tolerance=1e-12",
+                          "Time/Largest step=1e6",
+                          "Time/Initial step=1e-3"});
   }
 
 
@@ -189,8 +167,8 @@ namespace
                         const unsigned int   n_halvings   = 4,
                         const unsigned int   steps_a_turn = 120)
   {
-    const Complex s = theory.growth_rate();
-    SteppingScene scene(scene_of(theory, law, n_halvings));
+    const Complex s     = theory.growth_rate();
+    SteppingScene scene = make_scene(theory, law, n_halvings);
     set_state(scene, theory, s, 1e-3 * theory.friction.characteristic_slip);
     const double        tau    = 2. * numbers::PI / s.imag() / steps_a_turn;
     std::vector<double> values = {amplitude(scene, theory.wave_number)};
