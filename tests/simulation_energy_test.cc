@@ -105,7 +105,7 @@ TEST(Energy, EventsAreAccountedForAsExactlyAsTheyAreResolved)
   const std::string end    = "Time/End time=22.6";
   const Account     coarse = run(published_scene("spring_slider", {end}));
   const Account     fine =
-    run(published_scene("spring_slider", {end, "Time/Tolerance=1e-5"}));
+    run(published_scene("spring_slider", {end, "Time/Tolerance=3e-7"}));
   std::cout << "defects " << coarse.defect << " and " << fine.defect
             << " J/m, dissipated by friction " << coarse.work.friction
             << " J/m\n";

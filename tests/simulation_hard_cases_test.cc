@@ -83,7 +83,7 @@ TEST(HardCases, StatesOfTwelveDecadesAtNeighbouringNodes)
   const FaultAt slider("1",
                        {"Faults/fault/Initial state="
                         "if(cos(pi * (x + 2.5) / 0.03125) > 0, 1e6, 1e-6)"});
-  EXPECT_LT(slider.n_steps, 1000u);
+  EXPECT_LT(slider.n_steps, 2000u);
   for (unsigned int k = 0; k < slider.fault.state.size(); ++k)
     {
       const double x    = slider.fault.points[k][0];

@@ -195,7 +195,7 @@ TEST(Column, LoadingEventAndRadiation)
   ASSERT_NEAR(coarser.events()[0], start, 1e-8);
   ASSERT_NEAR(coarser.at(start + 0.08) / reference.at(start + 0.08), 1., 1e-5);
 
-  SteppingScene scene(scene_of(column, 128), {"Time/Tolerance=1e-6"});
+  SteppingScene scene(scene_of(column, 128), {"Time/Tolerance=3e-8"});
   Series        ours{{0.}, {0.}};
   double        largest_of_profiles = 0;
   while (scene.state.time < start + 0.1)

@@ -76,7 +76,7 @@ def laws():
                         },
                     ),
                     CONDENSED,
-                    timeout=60,
+                    timeout=300,
                 )
 
 
@@ -87,7 +87,7 @@ def characteristic_slips():
             f"L = {slip} m",
             slider(23, fault={"Characteristic slip": slip}),
             CONDENSED,
-            timeout=60,
+            timeout=300,
         )
 
 
@@ -112,7 +112,7 @@ def normal_stresses():
                 },
             ),
             CONDENSED,
-            timeout=120,
+            timeout=300,
         )
 
 

@@ -32,7 +32,7 @@ class Case:
     reference: dict | None = None
     reference_name: str = "condensed Newton"
     note: str = ""
-    timeout: float = 60.0
+    timeout: float = 300.0
     # Part of the message with which the program is expected to end, if any.
     refused: str = ""
 

@@ -43,7 +43,7 @@ def layers():
                 scene,
                 UMFPACK,
                 "exact linear corrections",
-                timeout=20,
+                timeout=300,
             )
 
 
@@ -88,7 +88,7 @@ def incompressible():
                 f"nu = {ratio}, volumetric strain {strain}",
                 slider(1, entries, fault={"Normal stress": "lithostatic"}),
                 CONDENSED,
-                timeout=20,
+                timeout=300,
             )
 
 
@@ -99,7 +99,7 @@ def many_faults():
             body={"Coarse cells": "10, 2", "Refinement passes": "1"},
             fault={"Characteristic slip": "2e-4"},
         ) | {"Time/End time": "2", f"Boundary conditions/layer{n} top/x value": "1e-3"}
-        yield Case("many faults", f"{n} faults", scene, CONDENSED, timeout=60)
+        yield Case("many faults", f"{n} faults", scene, CONDENSED, timeout=300)
 
 
 def sliding():
@@ -114,12 +114,13 @@ def sliding():
                 {
                     "Boundary conditions/upper top/x value": f"{distance / 10:g}",
                     "Time/Largest step": "0.125",
+                    "Time/Tolerance": "1e-4",
                 },
                 body={"Refinement passes": "2"},
                 fault={"b": "0", "Reference friction coefficient": "0.1"},
             ),
             CONDENSED,
-            timeout=60,
+            timeout=300,
         )
 
 

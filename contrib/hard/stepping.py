@@ -22,10 +22,10 @@ def nucleation():
                     "Time/Initial step": size,
                 },
             ),
-            {"Time/Step size control": "embedded", "Time/Tolerance": "1e-5"},
-            "estimated error, tolerance 1e-5",
+            {"Time/Step size control": "embedded", "Time/Tolerance": "3e-7"},
+            "estimated error, tolerance 3e-7",
             note="constant steps estimate no error",
-            timeout=60,
+            timeout=300,
         )
     for size in ("0.5", "2", "8", "16"):
         yield Case(
@@ -74,7 +74,7 @@ def viscosity():
             f"eta = zeta = {value} Pa s",
             slider(24, entries),
             CONDENSED,
-            timeout=120,
+            timeout=300,
         )
 
 
@@ -91,7 +91,7 @@ def reversal():
                 },
             ),
             CONDENSED,
-            timeout=60,
+            timeout=300,
         )
 
 

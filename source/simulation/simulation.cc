@@ -145,8 +145,17 @@ namespace StickSlip
       }
     record->finish(summarise());
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::cout << "Run " << ending << ". Results are in "
-                << scene.output.directory << '.' << std::endl;
+      {
+        std::cout << "Run " << ending << ". Results are in "
+                  << scene.output.directory << '.' << std::endl;
+        const double error = step_size_controller->largest_estimated_error();
+        if (error > scene.time.tolerance)
+          std::cout << "Warning: the estimated error of a time step reached "
+                    << error
+                    << ", more than Time/Tolerance = " << scene.time.tolerance
+                    << ". Steps of one size do not follow the error."
+                    << std::endl;
+      }
     return is_finished();
   }
 
@@ -314,6 +323,10 @@ namespace StickSlip
     summary.add_count("Steps", "solved", rate_state_step->n_steps());
     summary.add("Steps", "smallest step size", step_size_range.first, "s");
     summary.add("Steps", "largest step size", step_size_range.second, "s");
+    if (scene.time.control != StepSizeControl::step_doubling)
+      summary.add("Steps",
+                  "largest estimated error",
+                  step_size_controller->largest_estimated_error());
     summary.add_count("Steps", "contact mappings built", problem.n_builds());
 
     const StepCounts &all        = rate_state_step->total_counts();

@@ -3,8 +3,10 @@
 
 #include <stickslip/time/embedded_control.h>
 #include <stickslip/time/step_doubling.h>
+#include <stickslip/time/step_history.h>
 #include <stickslip/time/step_size_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -41,6 +43,15 @@ namespace StickSlip
   StepSizeController<dim>::n_rejected() const
   {
     return rejections;
+  }
+
+
+
+  template <int dim>
+  double
+  StepSizeController<dim>::largest_estimated_error() const
+  {
+    return largest_error;
   }
 
 
@@ -96,22 +107,38 @@ namespace StickSlip
 
   namespace
   {
-    /** Steps of the same size. A failure is an error right away. */
+    /**
+     * Steps of the same size, halved only where one cannot be solved. Their
+     * error is estimated, but nothing follows from it.
+     */
     template <int dim>
     class ConstantStep : public StepSizeController<dim>
     {
     public:
-      using StepSizeController<dim>::StepSizeController;
+      ConstantStep(RateStateStep<dim>    &step,
+                   const FaultNodes<dim> &faults,
+                   const TimeParameters  &parameters,
+                   const double           longest_ramp)
+        : StepSizeController<dim>(step, faults, parameters, longest_ramp)
+        , history(faults)
+      {}
 
       std::vector<StepResult<dim>>
       advance(const SystemState<dim> &state) override
       {
+        if (history.is_empty())
+          history.add(history.record(state));
         double tau = this->limit(state.time, this->proposed);
         while (true)
           {
             StepResult<dim> result = this->step.take(state, tau);
             if (result.converged)
               {
+                typename StepHistory<dim>::Record now =
+                  history.record(result.state);
+                this->largest_error =
+                  std::max(this->largest_error, history.estimate_error(now));
+                history.add(std::move(now));
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(result));
                 return accepted;
@@ -120,6 +147,9 @@ namespace StickSlip
             tau /= 2.;
           }
       }
+
+    private:
+      StepHistory<dim> history;
     };
   } // namespace
 

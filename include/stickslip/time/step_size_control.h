@@ -55,6 +55,11 @@ namespace StickSlip
     unsigned int
     n_rejected() const;
 
+    /** The largest error of an accepted step as StepHistory estimates it, in
+     * m^((d-1)/2); zero under step doubling, which compares something else. */
+    double
+    largest_estimated_error() const;
+
   protected:
     /** The largest size of the form largest_step 2^-k up to @p tau. */
     double
@@ -74,6 +79,7 @@ namespace StickSlip
     const FaultNodes<dim> &faults;
     const TimeParameters  &parameters;
     double                 proposed;
+    double                 largest_error = 0;
 
   private:
     const double longest_ramp;

@@ -70,7 +70,7 @@ namespace StickSlip
     StepSizeControl control = StepSizeControl::embedded;
 
     /** Tolerance of the embedded control (state and traction, L2(fault)). */
-    double tolerance = 1e-4;
+    double tolerance = 3e-6;
 
     /** Threshold of the step doubling control (state, L2(fault)). */
     double doubling_threshold = 1e-5;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_step_history_h
+#define stickslip_time_step_history_h
+
+#include <stickslip/time/rate_state_step.h>
+
+namespace StickSlip
+{
+  /**
+   * The last accepted states: what they predict, and how wrong a step is
+   * compared with them, at no solve.
+   *
+   * Three quantities of each contact node are compared with their
+   * extrapolations over steps h (the current one), h1 and h2:
+   *
+   * - state: e = (alpha - AB2) / (3 (1 + h1/h)), where AB2 is the
+   *   Adams-Bashforth prediction from the last two state rates;
+   * - traction: e = |m - extrapolated| / max(a, b) * c0 / (cc + c0), where m is
+   *   the friction coefficient times the direction of the slip rate and times
+   *   the normal stress over its mean on the fault, c0 = h^3/12 and cc =
+   *   h (h + h1) (h + h1 + h2) / 6;
+   * - slip rate: e = |V - extrapolated| / max(the largest V of the fault, L/h)
+   *   * c0 / (cc + c0).
+   *
+   * All are Milne's device: the known ratio of the error constants of the step
+   * and of its prediction. Of traction and slip rate the smaller error counts:
+   *
+   * - where a node comes to rest or reverses its slip, friction jumps, however
+   *   short the step, and with it the traction next to it; the slip rate does
+   *   not;
+   * - where a node slips steadily, an error of the slip rate is soon taken away
+   *   by friction.
+   */
+  template <int dim>
+  class StepHistory
+  {
+  public:
+    /** What is remembered of a state. */
+    struct Record
+    {
+      double              time = 0;
+      NodalVector         velocity;
+      std::vector<double> alpha;
+      std::vector<double> state_rate;
+      /** Slave relative to master, m/s. */
+      std::vector<Tensor<1, dim - 1>> slip_rate;
+      /** Friction coefficient times the direction of the slip rate. */
+      std::vector<Tensor<1, dim - 1>> friction;
+      /** Whether there was any. */
+      std::vector<bool> in_contact;
+    };
+
+    StepHistory(const FaultNodes<dim> &faults);
+
+    bool
+    is_empty() const;
+
+    Record
+    record(const SystemState<dim> &state) const;
+
+    /** An accepted state. */
+    void
+    add(Record &&newest);
+
+    /** Velocity and state a step @p tau after the newest record. */
+    Prediction<dim>
+    predict(const double tau) const;
+
+    /** The L2(faults) norm of the errors of a step from the newest record to
+     * @p now, in m^((d-1)/2); of the state alone before three steps have been
+     * taken. */
+    double
+    estimate_error(const Record &now) const;
+
+  private:
+    /** The error of the state alone at each node, from the newest record to
+     * @p now. */
+    std::vector<double>
+    state_errors(const Record &now) const;
+
+    const FaultNodes<dim> &faults;
+    /** The newest first; three at most. */
+    std::vector<Record> records;
+  };
+} // namespace StickSlip
+
+#endif

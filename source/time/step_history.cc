@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/magnitude.h>
+#include <stickslip/time/shear_traction.h>
+#include <stickslip/time/step_history.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace StickSlip
+{
+  template <int dim>
+  StepHistory<dim>::StepHistory(const FaultNodes<dim> &faults)
+    : faults(faults)
+  {}
+
+
+
+  template <int dim>
+  bool
+  StepHistory<dim>::is_empty() const
+  {
+    return records.empty();
+  }
+
+
+
+  template <int dim>
+  typename StepHistory<dim>::Record
+  StepHistory<dim>::record(const SystemState<dim> &state) const
+  {
+    Record result;
+    result.time      = state.time;
+    result.velocity  = state.velocity;
+    result.alpha     = state.alpha;
+    result.slip_rate = state.slip_rate;
+    result.state_rate.resize(faults.size());
+    result.friction.resize(faults.size());
+    result.in_contact.resize(faults.size());
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      {
+        result.in_contact[k] = faults.in_contact(k);
+        const FaultLaw &law  = faults.law(k);
+        const double    V    = magnitude(state.slip_rate[k]);
+        result.state_rate[k] =
+          state_rate(law.state_law, state.alpha[k], V, law.characteristic_slip);
+        result.friction[k] = directed_friction(faults, state, k);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  StepHistory<dim>::add(Record &&newest)
+  {
+    records.insert(records.begin(), std::move(newest));
+    records.resize(std::min<std::size_t>(records.size(), 3));
+  }
+
+
+
+  template <int dim>
+  Prediction<dim>
+  StepHistory<dim>::predict(const double tau) const
+  {
+    const Record   &newest = records.front();
+    Prediction<dim> prediction;
+    prediction.alpha    = newest.alpha;
+    prediction.velocity = newest.velocity;
+    double ratio        = 0;
+    if (records.size() >= 2)
+      {
+        ratio = tau / (records[0].time - records[1].time);
+        prediction.velocity.add(ratio,
+                                records[0].velocity,
+                                -ratio,
+                                records[1].velocity);
+      }
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      {
+        double rate = newest.state_rate[k];
+        if (records.size() >= 2)
+          rate += ratio / 2. * (rate - records[1].state_rate[k]);
+        prediction.alpha[k] += tau * rate;
+      }
+    return prediction;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  StepHistory<dim>::state_errors(const Record &now) const
+  {
+    const double h = now.time - records[0].time;
+    // Without a past there is only the forward Euler prediction: its error is
+    // -alpha''/2 h^2, that of the step of higher order.
+    double factor = 0.5, ratio = 0;
+    if (records.size() >= 2)
+      {
+        const double h1 = records[0].time - records[1].time;
+        factor          = 1. / (3. * (1. + h1 / h));
+        ratio           = h / h1;
+      }
+    std::vector<double> errors(faults.size());
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      {
+        double rate = records[0].state_rate[k];
+        if (records.size() >= 2)
+          rate += ratio / 2. * (rate - records[1].state_rate[k]);
+        errors[k] = factor * (now.alpha[k] - (records[0].alpha[k] + h * rate));
+      }
+    return errors;
+  }
+
+
+
+  template <int dim>
+  double
+  StepHistory<dim>::estimate_error(const Record &now) const
+  {
+    const double state_error = faults.l2_norm(state_errors(now));
+    if (records.size() < 3)
+      return state_error;
+
+    const double h  = now.time - records[0].time;
+    const double h1 = records[0].time - records[1].time;
+    const double h2 = records[1].time - records[2].time;
+    const double c0 = h * h * h / 12.;
+    const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
+    // Lagrange weights of the quadratic through the last three values.
+    const double w0        = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
+    const double w1        = -h * (h + h1 + h2) / (h1 * h2);
+    const double w2        = h * (h + h1) / ((h1 + h2) * h2);
+    const auto   deviation = [&](const auto &values, const unsigned k) {
+      return magnitude((now.*values)[k] - w0 * (records[0].*values)[k] -
+                       w1 * (records[1].*values)[k] -
+                       w2 * (records[2].*values)[k]);
+    };
+
+    std::vector<double>              errors(faults.size());
+    const std::vector<unsigned int> &first = faults.first_of_fault();
+    for (unsigned int f = 0; f + 1 < first.size(); ++f)
+      {
+        double fastest = 0.;
+        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+          if (now.in_contact[k])
+            fastest = std::max({fastest,
+                                magnitude(now.slip_rate[k]),
+                                magnitude(records[0].slip_rate[k])});
+        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+          // Friction that a node meets on coming into contact has no past.
+          if (records[0].in_contact[k] && records[1].in_contact[k] &&
+              records[2].in_contact[k])
+            {
+              const FaultLaw &law      = faults.law(k);
+              const double    traction = deviation(&Record::friction, k) *
+                                      faults.relative_normal_stress()[k] /
+                                      std::max(law.a, law.b);
+              const double slip_rate =
+                deviation(&Record::slip_rate, k) /
+                std::max(fastest, law.characteristic_slip / h);
+              errors[k] = std::min(traction, slip_rate) * c0 / (cc + c0);
+            }
+      }
+    return std::hypot(state_error, faults.l2_norm(errors));
+  }
+
+
+
+  template class StepHistory<2>;
+  template class StepHistory<3>;
+} // namespace StickSlip
