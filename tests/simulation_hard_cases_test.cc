@@ -5,6 +5,7 @@
 #include <stickslip/magnitude.h>
 
 #include "simulation_scenes.h"
+#include "stepping_scene.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -92,4 +93,43 @@ TEST(HardCases, StatesOfTwelveDecadesAtNeighbouringNodes)
                   (even ? 1e6 : 1e-6) + 1.,
                   1e-9 * slider.fault.state[k]);
     }
+}
+
+
+
+TEST(HardCases, TheSofterSideIsTheSlave)
+{
+  // Whichever is finer. With the stiff side as slave this takes 20 iterations a
+  // step for cells of one size, and more where its cells are smaller.
+  for (const std::string stiff : {"lower", "upper"})
+    for (const std::string passes : {"2", "4"})
+      {
+        SCOPED_TRACE(stiff + ", other body refined " + passes + " times");
+        const std::string other = stiff == "lower" ? "upper" : "lower";
+        SteppingScene     scene(published_scene(
+          "spring_slider",
+          {"Bodies/" + stiff + "/Material/Young modulus=4.12e11",
+               "Bodies/" + other + "/Refinement passes=" + passes}));
+        EXPECT_EQ(
+          scene.problem.jump_basis().faults().front().sides.slave_is_upper(),
+          stiff == "lower");
+        scene.advance_until(4.);
+        EXPECT_LT(scene.step->total_counts().tnnmg_iterations,
+                  6 * scene.step->n_steps());
+      }
+}
+
+
+
+TEST(HardCases, TallNarrowCellsComeToRest)
+{
+  // At the ends of the fault, where hardly anything presses, nodes reverse
+  // their slip and come to rest in the first milliseconds: friction jumps
+  // there.
+  const FaultAt slider("0.1",
+                       {"Bodies/lower/Coarse cells=200, 2",
+                        "Bodies/upper/Coarse cells=200, 2",
+                        "Bodies/lower/Refinement passes=1",
+                        "Bodies/upper/Refinement passes=1"});
+  EXPECT_LT(slider.n_steps, 1000u);
 }

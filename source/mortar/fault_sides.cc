@@ -26,15 +26,26 @@ namespace StickSlip
 
   template <int dim>
   FaultSides
-  choose_fault_sides(const MeshLevel<dim> &level, const unsigned int lower)
+  choose_fault_sides(const MeshLevel<dim> &level,
+                     const unsigned int    lower,
+                     const double          stiffness_ratio)
   {
     constexpr auto top        = BodyMesh<dim>::upper_side;
     constexpr auto bottom     = BodyMesh<dim>::lower_side;
     const double   size_below = face_sizes(level.surface(lower, top)).first;
     const double   size_above =
       face_sizes(level.surface(lower + 1, bottom)).first;
-    // Equal sizes differ by rounding.
-    if (size_below < (1. - 1e-8) * size_above)
+    // Equal numbers differ by rounding.
+    const auto is_less = [](const double a, const double b) {
+      return a < (1. - 1e-8) * b;
+    };
+    const bool lower_is_slave =
+      stiffness_ratio > 4.            ? true :
+      stiffness_ratio < 0.25          ? false :
+      is_less(size_below, size_above) ? true :
+      is_less(size_above, size_below) ? false :
+                                        is_less(1., stiffness_ratio);
+    if (lower_is_slave)
       return {lower, lower + 1, top, bottom};
     return {lower + 1, lower, bottom, top};
   }
@@ -57,7 +68,8 @@ namespace StickSlip
 
 #define STICKSLIP_INSTANTIATE(dim)                                         \
   template FaultSides choose_fault_sides<dim>(const MeshLevel<dim> &,      \
-                                              const unsigned int);         \
+                                              const unsigned int,          \
+                                              const double);               \
   template std::vector<types::global_dof_index> surface_nodes<dim>(        \
     const MeshLevel<dim> &, const unsigned int, const types::boundary_id); \
   template std::pair<double, double> face_sizes<dim>(const FaultSurface<dim> &);

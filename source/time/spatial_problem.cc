@@ -74,7 +74,10 @@ namespace StickSlip
   {
     const MeshLevel<dim> &finest = meshes.finest();
     for (unsigned int lower = 0; lower + 1 < meshes.n_bodies(); ++lower)
-      sides.push_back(choose_fault_sides(finest, lower));
+      sides.push_back(choose_fault_sides(finest,
+                                         lower,
+                                         materials[lower + 1].shear_modulus() /
+                                           materials[lower].shear_modulus()));
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       dirichlet_masks.push_back(boundary.dirichlet_mask(l));
 

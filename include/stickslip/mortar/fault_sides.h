@@ -24,13 +24,22 @@ namespace StickSlip
   };
 
   /**
-   * The sides of the fault between the bodies @p lower and lower + 1: slave is
-   * the one with the smaller faces on average; the upper one if they are
-   * equal.
+   * The sides of the fault between the bodies @p lower and lower + 1. Slave is,
+   * in this order,
+   *
+   * - the side of the softer body, if the other one is more than four times as
+   *   stiff: multigrid and the rate problem of a stiff slave are hard to solve;
+   * - the side with the smaller faces on average;
+   * - the side of the softer body;
+   * - the upper one.
+   *
+   * @p stiffness_ratio: a modulus of the upper body over that of the lower one.
    */
   template <int dim>
   FaultSides
-  choose_fault_sides(const MeshLevel<dim> &level, const unsigned int lower);
+  choose_fault_sides(const MeshLevel<dim> &level,
+                     const unsigned int    lower,
+                     const double          stiffness_ratio = 1.);
 
   /** The numbers of the nodes of a surface of one body. */
   template <int dim>
