@@ -52,6 +52,9 @@ def measure(program, case, folder):
     rejected = result.number("Steps", "rejected")
     if rejected:
         notes.append(f"{rejected:.0f} steps rejected")
+    estimate = result.number("Steps", "largest estimated error")
+    if case.scene.get("Time/Step size control") == "constant" and estimate > 3e-6:
+        notes.append(f"warns that the estimated error is {estimate:.0e}")
     if result.message:
         clear = case.refused and case.refused in result.message
         row["holds"] = "refused" if clear else "no"

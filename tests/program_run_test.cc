@@ -186,3 +186,24 @@ TEST(ProgramRun, FileReceivesPlainLines)
   ASSERT_GE(lines.size(), 2u);
   expect_part(lines[lines.size() - 2], "100.0 %  t = 2.0000 s");
 }
+
+
+
+TEST(ProgramRun, WarnsOfConstantStepsThatAreTooLarge)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm", creeping_bodies);
+  const std::string constant =
+    "scene.prm --set 'Time/Step size control=constant' "
+    "--set 'Time/Largest step=0.1' --set 'Output/Write volume=false' ";
+  const Outcome careless = run_program(folder, constant);
+  ASSERT_EQ(careless.exit_status, 0) << careless.errors;
+  expect_part(careless.output,
+              "Warning: the estimated error of a time step reached ");
+  expect_part(careless.output, ", more than Time/Tolerance = 3e-06.");
+
+  const Outcome informed =
+    run_program(folder, constant + "--set 'Time/Tolerance=1e9'");
+  ASSERT_EQ(informed.exit_status, 0) << informed.errors;
+  EXPECT_EQ(informed.output.find("Warning"), std::string::npos);
+}

@@ -2,9 +2,8 @@
 # Copyright (C) 2026 by the stickslip authors
 """The table of hard cases as CSV file and as a page."""
 
-import csv
-
 from hard.run import PROJECT
+from measure import csv_file
 
 DATA = PROJECT / "doc" / "data" / "hard_cases.csv"
 PAGE = PROJECT / "doc" / "hard_cases.md"
@@ -13,17 +12,11 @@ BEGIN, END = "<!-- begin of the table -->", "<!-- end of the table -->"
 
 
 def write_data(rows):
-    with DATA.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    csv_file.write(DATA, COLUMNS, rows)
 
 
 def read_data():
-    if not DATA.is_file():
-        return []
-    with DATA.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+    return csv_file.read(DATA)
 
 
 def table(rows):

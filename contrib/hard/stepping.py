@@ -24,7 +24,6 @@ def nucleation():
             ),
             {"Time/Step size control": "embedded", "Time/Tolerance": "3e-7"},
             "estimated error, tolerance 3e-7",
-            note="constant steps estimate no error",
             timeout=300,
         )
     for size in ("0.5", "2", "8", "16"):

@@ -2,8 +2,7 @@
 # Copyright (C) 2026 by the stickslip authors
 """Write what was measured into a page below doc, and into doc/data."""
 
-import csv
-
+from . import csv_file
 from .programs import COLUMNS, PROJECT
 
 PAGE = PROJECT / "doc/performance.md"
@@ -23,10 +22,7 @@ def replace_section(section, text, page=PAGE, command="contrib/benchmark"):
 
 
 def read_records():
-    if not DATA.is_file():
-        return []
-    with open(DATA, newline="") as file:
-        return list(csv.DictReader(file))
+    return csv_file.read(DATA)
 
 
 def rounded(value):
@@ -37,12 +33,8 @@ def rounded(value):
 
 
 def write_records(records):
-    DATA.parent.mkdir(exist_ok=True)
-    with open(DATA, "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        for record in records:
-            writer.writerow({c: rounded(record.get(c, "")) for c in COLUMNS})
+    rows = [{c: rounded(r.get(c, "")) for c in COLUMNS} for r in records]
+    csv_file.write(DATA, COLUMNS, rows)
 
 
 def table(titles, rows):

@@ -2,9 +2,7 @@
 # Copyright (C) 2026 by the stickslip authors
 """The table of all results, doc/data/speed_against_error.csv."""
 
-import csv
-
-from measure import page, programs
+from measure import csv_file, page, programs
 
 from . import errors
 from .slider import summary_number
@@ -46,22 +44,11 @@ def make_record(case, result, reference):
 
 
 def read():
-    if not DATA.is_file():
-        return []
-    with open(DATA, newline="") as file:
-        return list(csv.DictReader(file))
+    return csv_file.read(DATA)
 
 
 def write(records):
-    """In one piece, so that breaking off loses nothing."""
-    DATA.parent.mkdir(exist_ok=True)
-    temporary = DATA.with_suffix(".csv.new")
-    with open(temporary, "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        for record in records:
-            writer.writerow({c: cell(record, c) for c in COLUMNS})
-    temporary.rename(DATA)
+    csv_file.write(DATA, COLUMNS, [{c: cell(r, c) for c in COLUMNS} for r in records])
 
 
 def cell(record, column):

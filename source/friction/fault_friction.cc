@@ -5,7 +5,7 @@
 
 #include <stickslip/friction/fault_friction.h>
 #include <stickslip/friction/local_problem.h>
-#include <stickslip/magnitude.h>
+#include <stickslip/friction/magnitude.h>
 
 #include <algorithm>
 #include <cmath>

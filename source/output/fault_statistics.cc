@@ -3,7 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/magnitude.h>
+#include <stickslip/friction/magnitude.h>
 #include <stickslip/output/fault_statistics.h>
 
 #include <algorithm>
