@@ -94,7 +94,7 @@ def characteristic_slips():
                 fault={"Characteristic slip": slip},
             ),
             CONDENSED,
-            timeout=300,
+            timeout=900 if float(slip) < 1e-6 else 300,
         )
 
 

@@ -17,7 +17,11 @@ FAULT = {"a": "0.010", "b": "0.015", "Characteristic slip": "2e-5"}
 # Between neighbouring nodes of the fault of that mesh.
 NODE_DISTANCE = 5 / 160
 
-CONDENSED = {"Time/Rate solver": "condensed Newton", "TNNMG/Tolerance": "1e-12"}
+CONDENSED = {
+    "Time/Rate solver": "condensed Newton",
+    "TNNMG/Tolerance": "1e-12",
+    "Time/Rate-state tolerance": "1e-9",
+}
 UMFPACK = {"TNNMG/Linear correction": "UMFPACK", "TNNMG/Tolerance": "1e-12"}
 
 
