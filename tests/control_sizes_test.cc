@@ -144,6 +144,35 @@ TEST(StepSizes, ConstantStepsThatDivideTheRunAreAllEqual)
 
 
 
+TEST(StepSizes, FollowLoadsThatDependOnTime)
+{
+  // A load that is not felt by the fault, which cannot slip.
+  for (const std::string control : {"embedded", "step doubling"})
+    {
+      SCOPED_TRACE(control);
+      const double  omega = 2. * numbers::PI / 10.;
+      SteppingScene scene(
+        creeping_bodies,
+        {"Time/Step size control=" + control,
+         "Time/Largest step=1",
+         "Time/Initial step=1e-3",
+         "Time/End time=12",
+         "Time/Loading tolerance=1e-3",
+         "Faults/fault/Reference friction coefficient=100",
+         "Boundary conditions/upper top/x value=1e-3*cos(2*pi*t/10)",
+         "Boundary conditions/upper top/Ramp length=0"});
+      const std::vector<StepResult<2>> steps   = run(scene);
+      double                           largest = 0;
+      for (const StepResult<2> &step : steps)
+        largest = std::max(largest, step.step_size);
+      // (omega tau)^2 / 12 is the error where the load is largest.
+      EXPECT_LE(std::pow(omega * largest, 2) / 12., 4e-3);
+      EXPECT_GT(largest, 0.05);
+    }
+}
+
+
+
 TEST(StepDoubling, TakesThreeSolvesAndReusesTheFirstAfterARejection)
 {
   SteppingScene scene(creeping_bodies,

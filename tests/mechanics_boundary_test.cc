@@ -128,6 +128,52 @@ TEST(BoundaryValues, MaskIsThatOfTheSideOnEveryLevel)
 
 
 
+TEST(BoundaryValues, ErrorOfLoadsThatDependOnTime)
+{
+  const MeshHierarchy<2> meshes(nonmatching_bodies(), MPI_COMM_WORLD);
+  const auto             error_of = [&](const BoundaryType type,
+                            const std::string &expression,
+                            const double       time,
+                            const double       tau) {
+    BoundaryValues<2> boundary(meshes,
+                               {make_condition<2>("upper",
+                                                  top_2d,
+                                                  {{type, free_side}},
+                                                  {{expression, "0"}})},
+                               names_2d);
+    return boundary.loading_error(time, tau);
+  };
+  for (const BoundaryType type : {velocity, traction})
+    {
+      // By Simpson's rule, which is exact here, over the largest value.
+      const double t = 3., h = 0.5;
+      EXPECT_NEAR(error_of(type, "7 * t^2", t, h),
+                  (h * h / 6.) / ((t + h) * (t + h)),
+                  1e-14);
+      const double omega = 2.;
+      EXPECT_NEAR(error_of(type, "3 * (1 + x) * cos(2 * t)", 0., 1e-3),
+                  std::pow(omega * 1e-3, 2) / 12.,
+                  1e-12);
+      EXPECT_NEAR(error_of(type, "1 + t", t, h), 0., 1e-15);
+      EXPECT_EQ(error_of(type, "tanh(x)", t, h), 0.);
+      EXPECT_EQ(error_of(type, "0 * t", t, h), 0.);
+    }
+  EXPECT_EQ(error_of(free_side, "t^2", 1., 1.), 0.);
+
+  // The largest value so far, so that zeros of the load cost nothing.
+  BoundaryValues<2> boundary(meshes,
+                             {make_condition<2>("upper",
+                                                top_2d,
+                                                {{velocity, free_side}},
+                                                {{"cos(2 * pi * t)", "0"}})},
+                             names_2d);
+  boundary.loading_error(0., 0.01);
+  EXPECT_LT(boundary.loading_error(0.245, 0.01),
+            std::pow(2. * numbers::PI * 0.01, 2) / 12.);
+}
+
+
+
 TEST(BoundaryValues, VelocitiesFollowRampPlaceAndTime)
 {
   const MeshHierarchy<2> meshes(nonmatching_bodies(), MPI_COMM_WORLD);

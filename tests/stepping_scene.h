@@ -53,15 +53,13 @@ namespace StickSlip::Tests
                                                 problem.jump_basis(),
                                                 equilibrium,
                                                 n_in_tension));
-      state      = make_initial_state(scene, problem.jump_basis(), equilibrium);
-      step       = std::make_unique<RateStateStep<2>>(problem,
+      state = make_initial_state(scene, problem.jump_basis(), equilibrium);
+      step  = std::make_unique<RateStateStep<2>>(problem,
                                                 faults,
                                                 scene.time,
                                                 scene.tnnmg);
-      controller = make_step_size_controller(*step,
-                                             faults,
-                                             scene.time,
-                                             boundary_values.longest_ramp());
+      controller =
+        make_step_size_controller(*step, faults, scene.time, boundary_values);
     }
 
     SteppingScene(const std::string              &text,

@@ -119,7 +119,7 @@ def normal_stresses():
                 },
             ),
             CONDENSED,
-            timeout=300,
+            timeout=900,
         )
 
 

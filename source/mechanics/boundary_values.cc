@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
@@ -9,6 +10,9 @@
 #include <stickslip/parameters/expression.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <regex>
 
 namespace StickSlip
 {
@@ -28,8 +32,14 @@ namespace StickSlip
           body_names.begin();
         AssertIndexRange(side.body, body_names.size());
         side.condition = condition;
+        side.largest.fill(0.);
         for (unsigned int c = 0; c < dim; ++c)
           {
+            static const std::regex the_time("\\bt\\b");
+            side.varies[c] =
+              (condition.type[c] == BoundaryType::velocity ||
+               condition.type[c] == BoundaryType::traction) &&
+              std::regex_search(condition.expression[c], the_time);
             side.values[c] = std::make_unique<FunctionParser<dim>>();
             side.values[c]->initialize(expression_variables<dim>(true),
                                        condition.expression[c],
@@ -164,6 +174,50 @@ namespace StickSlip
         if (type == BoundaryType::velocity || type == BoundaryType::traction)
           longest = std::max(longest, side.condition.ramp_length);
     return longest;
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryValues<dim>::loading_error(const double time, const double tau)
+  {
+    double error = 0;
+    for (Side &side : sides)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          if (!side.varies[c])
+            continue;
+          std::vector<double> second_difference(side.points.size());
+          for (const double part : {0., 0.5, 1.})
+            {
+              const double t    = time + part * tau;
+              const double ramp = smooth_ramp(t, side.condition.ramp_length) *
+                                  (part == 0.5 ? -2. : 1.);
+              side.values[c]->set_time(t);
+              for (unsigned int k = 0; k < side.points.size(); ++k)
+                {
+                  const double value =
+                    ramp * side.values[c]->value(side.points[k]);
+                  second_difference[k] += value;
+                  side.largest[c] =
+                    std::max(side.largest[c],
+                             std::abs(part == 0.5 ? value / 2. : value));
+                }
+            }
+          double largest = 0;
+          for (const double difference : second_difference)
+            largest = std::max(largest, std::abs(difference));
+          const MPI_Comm communicator = meshes.finest().nodes.communicator();
+          largest         = Utilities::MPI::max(largest, communicator);
+          side.largest[c] = Utilities::MPI::max(side.largest[c], communicator);
+          error =
+            std::max(error,
+                     largest /
+                       (3. * std::max(side.largest[c],
+                                      std::numeric_limits<double>::min())));
+        }
+    return error;
   }
 
 

@@ -186,8 +186,10 @@ namespace StickSlip
                                                            faults,
                                                            scene.time,
                                                            scene.tnnmg);
-    step_size_controller = make_step_size_controller(
-      *rate_state_step, faults, scene.time, boundary_values.longest_ramp());
+    step_size_controller = make_step_size_controller(*rate_state_step,
+                                                     faults,
+                                                     scene.time,
+                                                     boundary_values);
   }
 
 

@@ -12,8 +12,8 @@ namespace StickSlip
   EmbeddedControl<dim>::EmbeddedControl(RateStateStep<dim>    &step,
                                         const FaultNodes<dim> &faults,
                                         const TimeParameters  &parameters,
-                                        const double           longest_ramp)
-    : StepSizeController<dim>(step, faults, parameters, longest_ramp)
+                                        BoundaryValues<dim>   &loads)
+    : StepSizeController<dim>(step, faults, parameters, loads)
     , history(faults)
   {}
 

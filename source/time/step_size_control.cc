@@ -16,11 +16,12 @@ namespace StickSlip
   StepSizeController<dim>::StepSizeController(RateStateStep<dim>    &step,
                                               const FaultNodes<dim> &faults,
                                               const TimeParameters  &parameters,
-                                              const double longest_ramp)
+                                              BoundaryValues<dim>   &loads)
     : step(step)
     , faults(faults)
     , parameters(parameters)
-    , longest_ramp(longest_ramp)
+    , loads(loads)
+    , longest_ramp(loads.longest_ramp())
   {
     proposed = parameters.control == StepSizeControl::constant ?
                  parameters.largest_step :
@@ -77,6 +78,10 @@ namespace StickSlip
     if (time < longest_ramp && parameters.control != StepSizeControl::constant)
       limited =
         std::min(limited, on_grid(parameters.ramp_fraction * longest_ramp));
+    else if (parameters.control != StepSizeControl::constant)
+      while (limited / 2. >= parameters.initial_step &&
+             loads.loading_error(time, limited) > parameters.loading_tolerance)
+        limited = on_grid(limited / 2.);
     if (limited >= remaining * (1. - 1e-12))
       limited = remaining;
     return limited;
@@ -118,8 +123,8 @@ namespace StickSlip
       ConstantStep(RateStateStep<dim>    &step,
                    const FaultNodes<dim> &faults,
                    const TimeParameters  &parameters,
-                   const double           longest_ramp)
-        : StepSizeController<dim>(step, faults, parameters, longest_ramp)
+                   BoundaryValues<dim>   &loads)
+        : StepSizeController<dim>(step, faults, parameters, loads)
         , history(faults)
       {}
 
@@ -160,7 +165,7 @@ namespace StickSlip
   make_step_size_controller(RateStateStep<dim>    &step,
                             const FaultNodes<dim> &faults,
                             const TimeParameters  &parameters,
-                            const double           longest_ramp)
+                            BoundaryValues<dim>   &loads)
   {
     switch (parameters.control)
       {
@@ -168,17 +173,17 @@ namespace StickSlip
           return std::make_unique<EmbeddedControl<dim>>(step,
                                                         faults,
                                                         parameters,
-                                                        longest_ramp);
+                                                        loads);
         case StepSizeControl::step_doubling:
           return std::make_unique<StepDoubling<dim>>(step,
                                                      faults,
                                                      parameters,
-                                                     longest_ramp);
+                                                     loads);
         case StepSizeControl::constant:
           return std::make_unique<ConstantStep<dim>>(step,
                                                      faults,
                                                      parameters,
-                                                     longest_ramp);
+                                                     loads);
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;
@@ -192,7 +197,7 @@ namespace StickSlip
   make_step_size_controller<dim>(RateStateStep<dim> &,    \
                                  const FaultNodes<dim> &, \
                                  const TimeParameters &,  \
-                                 const double);
+                                 BoundaryValues<dim> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

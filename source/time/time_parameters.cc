@@ -60,6 +60,15 @@ namespace StickSlip
                NumberRange().above(0).at_most(1),
                "No step is longer than this fraction of the longest loading "
                "ramp while that lasts, without unit.");
+    add_number(prm,
+               "Loading tolerance",
+               loading_tolerance,
+               NumberRange().above(0),
+               "Error allowed in the displacement of driven sides and in the "
+               "impulse of tractions over a step, over the step times their "
+               "largest velocity and traction so far, without unit; for loads "
+               "that depend on time, after the ramp. No step becomes shorter "
+               "than the initial one for that. Not used by constant steps.");
     add_choice(prm,
                "Scheme",
                scheme,

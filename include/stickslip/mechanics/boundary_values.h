@@ -47,9 +47,23 @@ namespace StickSlip
     double
     longest_ramp() const;
 
+    /**
+     * The error of a step from @p time on if all that is known of the loads are
+     * their values at its two ends: of the displacement of driven sides, and of
+     * the impulse of tractions, compared with Simpson's rule, over the step
+     * size and the largest value met so far on the same side. Zero for loads
+     * that do not depend on time. Collective.
+     */
+    double
+    loading_error(const double time, const double tau);
+
   private:
     struct Side
     {
+      /** Which of its values depend on time, and the largest of each met. */
+      std::array<bool, dim>   varies;
+      std::array<double, dim> largest;
+
       unsigned int                                          body;
       BoundaryCondition<dim>                                condition;
       std::array<std::unique_ptr<FunctionParser<dim>>, dim> values;

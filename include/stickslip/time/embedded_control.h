@@ -21,7 +21,7 @@ namespace StickSlip
     EmbeddedControl(RateStateStep<dim>    &step,
                     const FaultNodes<dim> &faults,
                     const TimeParameters  &parameters,
-                    const double           longest_ramp);
+                    BoundaryValues<dim>   &loads);
 
     std::vector<StepResult<dim>>
     advance(const SystemState<dim> &state) override;

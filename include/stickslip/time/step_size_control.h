@@ -36,7 +36,7 @@ namespace StickSlip
     StepSizeController(RateStateStep<dim>    &step,
                        const FaultNodes<dim> &faults,
                        const TimeParameters  &parameters,
-                       const double           longest_ramp);
+                       BoundaryValues<dim>   &loads);
 
     virtual ~StepSizeController() = default;
 
@@ -82,8 +82,9 @@ namespace StickSlip
     double                 largest_error = 0;
 
   private:
-    const double longest_ramp;
-    unsigned int rejections = 0;
+    BoundaryValues<dim> &loads;
+    const double         longest_ramp;
+    unsigned int         rejections = 0;
   };
 
   /**
@@ -94,7 +95,7 @@ namespace StickSlip
   make_step_size_controller(RateStateStep<dim>    &step,
                             const FaultNodes<dim> &faults,
                             const TimeParameters  &parameters,
-                            const double           longest_ramp);
+                            BoundaryValues<dim>   &loads);
 } // namespace StickSlip
 
 #endif

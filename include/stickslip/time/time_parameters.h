@@ -86,6 +86,9 @@ namespace StickSlip
      */
     double ramp_fraction = 0.025;
 
+    /** Error allowed in what loads do in a step, relative. */
+    double loading_tolerance = 1e-4;
+
     TimeScheme scheme = TimeScheme::newmark;
 
     /** Of the generalised-alpha method: 1 damps nothing, 0 most. */
