@@ -19,7 +19,9 @@ ALLOWED = {
     "parameters": (),
     "mesh": ("parameters", "algebra"),
     "mechanics": ("parameters", "mesh", "algebra"),
-    "friction": ("parameters", "tnnmg/nonsmooth_functional.h"),
+    "friction": (
+        "parameters", "algebra/magnitude.h", "tnnmg/nonsmooth_functional.h",
+    ),
     "mortar": ("parameters", "mesh", "algebra"),
     "tnnmg": ("parameters", "algebra"),
     "time": (

@@ -117,12 +117,13 @@ def sliding():
                     "Boundary conditions/upper top/x value": f"{distance / 10:g}",
                     "Time/Largest step": "0.125",
                     "Time/Tolerance": "1e-4",
+                    "TNNMG/Tolerance": "1e-12",
                 },
                 body={"Refinement passes": "2"},
                 fault={"b": "0", "Reference friction coefficient": "0.1"},
             ),
             CONDENSED,
-            timeout=300,
+            timeout=900,
         )
 
 

@@ -3,9 +3,9 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/algebra/magnitude.h>
 #include <stickslip/friction/fault_friction.h>
 #include <stickslip/friction/local_problem.h>
-#include <stickslip/friction/magnitude.h>
 
 #include <algorithm>
 #include <cmath>

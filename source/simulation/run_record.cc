@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/friction/magnitude.h>
+#include <stickslip/algebra/magnitude.h>
 #include <stickslip/output/volume_writer.h>
 #include <stickslip/simulation/agreement.h>
 #include <stickslip/simulation/loading_rate.h>

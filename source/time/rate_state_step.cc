@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/friction/magnitude.h>
+#include <stickslip/algebra/magnitude.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/rigid_body_modes.h>
 #include <stickslip/time/shear_traction.h>

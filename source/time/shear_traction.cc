@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/friction/magnitude.h>
+#include <stickslip/algebra/magnitude.h>
 #include <stickslip/time/shear_traction.h>
 
 namespace StickSlip

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#ifndef stickslip_friction_magnitude_h
-#define stickslip_friction_magnitude_h
+#ifndef stickslip_algebra_magnitude_h
+#define stickslip_algebra_magnitude_h
 
 #include <deal.II/base/tensor.h>
 
