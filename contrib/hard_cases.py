@@ -52,7 +52,7 @@ def measure(program, case, folder):
     rejected = result.number("Steps", "rejected")
     if rejected:
         notes.append(f"{rejected:.0f} steps rejected")
-    estimate = result.number("Steps", "largest estimated error")
+    estimate = result.number("Steps", "largest estimated error") or 0
     if case.scene.get("Time/Step size control") == "constant" and estimate > 3e-6:
         notes.append(f"warns that the estimated error is {estimate:.0e}")
     if result.message:

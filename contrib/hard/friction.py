@@ -78,7 +78,6 @@ def laws():
                         },
                     ),
                     CONDENSED,
-                    timeout=300,
                 )
 
 

@@ -43,7 +43,6 @@ def layers():
                 scene,
                 UMFPACK,
                 "exact linear corrections",
-                timeout=300,
             )
 
 
@@ -101,7 +100,7 @@ def many_faults():
             body={"Coarse cells": "10, 2", "Refinement passes": "1"},
             fault={"Characteristic slip": "2e-4"},
         ) | {"Time/End time": "2", f"Boundary conditions/layer{n} top/x value": "1e-3"}
-        yield Case("many faults", f"{n} faults", scene, CONDENSED, timeout=300)
+        yield Case("many faults", f"{n} faults", scene, CONDENSED)
 
 
 def sliding():

@@ -24,7 +24,6 @@ def nucleation():
             ),
             {"Time/Step size control": "embedded", "Time/Tolerance": "3e-7"},
             "estimated error, tolerance 3e-7",
-            timeout=300,
         )
     for size in ("0.5", "2", "8", "16"):
         yield Case(
@@ -73,7 +72,6 @@ def viscosity():
             f"eta = zeta = {value} Pa s",
             slider(24, entries),
             CONDENSED,
-            timeout=300,
         )
 
 
@@ -93,7 +91,6 @@ def reversal():
                 },
             ),
             CONDENSED,
-            timeout=300,
         )
 
 

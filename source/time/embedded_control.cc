@@ -30,7 +30,7 @@ namespace StickSlip
     while (true)
       {
         const double          tau = this->limit(state.time, this->proposed);
-        const Prediction<dim> prediction = history.predict(tau);
+        const Prediction<dim> prediction = history.predict(state, tau);
         StepResult<dim>       result = this->step.take(state, tau, &prediction);
         if (!result.converged)
           {

@@ -63,28 +63,39 @@ namespace StickSlip
 
 
   template <int dim>
-  Prediction<dim>
-  StepHistory<dim>::predict(const double tau) const
+  std::vector<double>
+  StepHistory<dim>::predict_alpha(const double tau) const
   {
-    const Record   &newest = records.front();
-    Prediction<dim> prediction;
-    prediction.alpha    = newest.alpha;
-    prediction.velocity = newest.velocity;
-    double ratio        = 0;
+    std::vector<double>        alpha  = records[0].alpha;
+    const std::vector<double> &newest = records[0].state_rate;
+    if (records.size() < 2)
+      {
+        for (unsigned int k = 0; k < alpha.size(); ++k)
+          alpha[k] += tau * newest[k];
+        return alpha;
+      }
+    const std::vector<double> &older = records[1].state_rate;
+    const double ratio = tau / (records[0].time - records[1].time);
+    for (unsigned int k = 0; k < alpha.size(); ++k)
+      alpha[k] += tau * (newest[k] + ratio / 2. * (newest[k] - older[k]));
+    return alpha;
+  }
+
+
+
+  template <int dim>
+  Prediction<dim>
+  StepHistory<dim>::predict(const SystemState<dim> &state,
+                            const double            tau) const
+  {
+    Prediction<dim> prediction{state.velocity, predict_alpha(tau)};
     if (records.size() >= 2)
       {
-        ratio = tau / (records[0].time - records[1].time);
+        const double ratio = tau / (records[0].time - records[1].time);
         prediction.velocity.add(ratio,
                                 records[0].velocity,
                                 -ratio,
                                 records[1].velocity);
-      }
-    for (unsigned int k = 0; k < faults.size(); ++k)
-      {
-        double rate = newest.state_rate[k];
-        if (records.size() >= 2)
-          rate += ratio / 2. * (rate - records[1].state_rate[k]);
-        prediction.alpha[k] += tau * rate;
       }
     return prediction;
   }
@@ -98,21 +109,12 @@ namespace StickSlip
     const double h = now.time - records[0].time;
     // Without a past there is only the forward Euler prediction: its error is
     // -alpha''/2 h^2, that of the step of higher order.
-    double factor = 0.5, ratio = 0;
+    double factor = 0.5;
     if (records.size() >= 2)
-      {
-        const double h1 = records[0].time - records[1].time;
-        factor          = 1. / (3. * (1. + h1 / h));
-        ratio           = h / h1;
-      }
-    std::vector<double> errors(faults.size());
-    for (unsigned int k = 0; k < faults.size(); ++k)
-      {
-        double rate = records[0].state_rate[k];
-        if (records.size() >= 2)
-          rate += ratio / 2. * (rate - records[1].state_rate[k]);
-        errors[k] = factor * (now.alpha[k] - (records[0].alpha[k] + h * rate));
-      }
+      factor = 1. / (3. * (1. + (records[0].time - records[1].time) / h));
+    std::vector<double> errors = predict_alpha(h);
+    for (unsigned int k = 0; k < errors.size(); ++k)
+      errors[k] = factor * (now.alpha[k] - errors[k]);
     return errors;
   }
 

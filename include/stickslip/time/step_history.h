@@ -64,9 +64,10 @@ namespace StickSlip
     void
     add(Record &&newest);
 
-    /** Velocity and state a step @p tau after the newest record. */
+    /** Velocity and state a step @p tau after @p state, that of the newest
+     * record, whose velocity may follow another contact mapping by now. */
     Prediction<dim>
-    predict(const double tau) const;
+    predict(const SystemState<dim> &state, const double tau) const;
 
     /** The L2(faults) norm of the errors of a step from the newest record to
      * @p now, in m^((d-1)/2); of the state alone before three steps have been
@@ -75,6 +76,11 @@ namespace StickSlip
     estimate_error(const Record &now) const;
 
   private:
+    /** The Adams-Bashforth prediction of alpha a step @p tau after the newest
+     * record. */
+    std::vector<double>
+    predict_alpha(const double tau) const;
+
     /** The error of the state alone at each node, from the newest record to
      * @p now. */
     std::vector<double>
