@@ -96,7 +96,7 @@ namespace
               {matrices.mass, matrices.damping, matrices.stiffness},
               0,
               A.n_rows());
-    NodalVector f = assemble_gravity(level, materials, scene.gravity);
+    NodalVector f = assemble_gravity(level, materials, scene.gravity_vector());
     NodalVector v = state.acceleration, product = v;
     v.add(2. / step_size, state.velocity);
     matrices.mass.vmult(product, v);

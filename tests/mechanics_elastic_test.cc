@@ -244,7 +244,9 @@ namespace
     const Scene<dim>  scene = make_scene<dim>();
     const double      g     = 9.81;
     const NodalVector load =
-      assemble_gravity(scene.meshes.finest(), scene.materials, g);
+      assemble_gravity<dim>(scene.meshes.finest(),
+                            scene.materials,
+                            -g * Point<dim>::unit_vector(dim - 1));
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         const double weight = scene.materials[b].density * g * scene.volume(b);

@@ -271,3 +271,59 @@ TEST(MeshCounts, SurfacesCoverTheWholeSideInThreeDimensions)
         EXPECT_NEAR(area, 25., 1e-12);
       }
 }
+
+
+
+namespace
+{
+  /** A wedge is the same body on all levels, level below, sloped above. */
+  template <int dim>
+  void
+  expect_wedge()
+  {
+    std::array<unsigned int, dim> cells;
+    cells.fill(3);
+    BodyGeometry<dim> wedge = make_body<dim>(0.5, cells, 2);
+    BodyGeometry<dim> below = make_body<dim>(1., cells, 1);
+    wedge.upper_slope[0]    = 0.25;
+    if (dim == 3)
+      wedge.upper_slope[dim - 2] = -0.125;
+    const auto               bodies = stack<dim>({below, wedge});
+    const MeshHierarchy<dim> meshes(bodies, MPI_COMM_WORLD);
+    // The mean thickness times the extent.
+    const double volume =
+      (0.5 + 0.25 * 2.5 - (dim == 3 ? 0.125 * 2.5 : 0.)) * std::pow(5., dim - 1);
+    for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+      {
+        const BodyMesh<dim> &body = *meshes.level(l).bodies[1];
+        double               sum  = 0;
+        for (const auto &cell : body.triangulation().active_cell_iterators())
+          sum += cell->measure();
+        EXPECT_NEAR(sum, volume, 1e-12 * volume);
+        for (const auto &point : body.surface(BodyMesh<dim>::lower_side).points)
+          EXPECT_EQ(point[dim - 1], 1.);
+        for (const auto &point : body.surface(BodyMesh<dim>::upper_side).points)
+          EXPECT_NEAR(point[dim - 1], 1. + bodies[1].thickness_at(point), 1e-12);
+      }
+  }
+} // namespace
+
+
+
+TEST(MeshCounts, WedgesHaveALevelAndASlopingSide)
+{
+  expect_wedge<2>();
+  expect_wedge<3>();
+}
+
+
+
+TEST(MeshCounts, RigidBodiesAreOneCell)
+{
+  auto bodies     = spring_slider_bodies();
+  bodies[0].rigid = true;
+  const MeshHierarchy<2> meshes(bodies, MPI_COMM_WORLD);
+  for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+    EXPECT_EQ(meshes.level(l).bodies[0]->triangulation().n_active_cells(), 1u);
+  EXPECT_EQ(meshes.finest().n_nodes(), 637u + 4u);
+}

@@ -354,3 +354,44 @@ TEST(CommandLine, RejectsWhatItDoesNotKnow)
   expect_one_sentence_with(message({"a.prm", "--set"}), {"--set"});
   expect_one_sentence_with(message({}), {"No parameter file"});
 }
+
+
+
+TEST(SceneErrors, Foundations)
+{
+  expect_error(two_bodies,
+               {"Bodies/lower/Rigid=true", "Bodies/upper/Rigid=true"},
+               {"'Bodies/upper/Rigid' = 'true'", "'lower' below is rigid"});
+  expect_error(two_bodies,
+               {"Bodies/lower/Upper slope=0.1"},
+               {"'Bodies/lower/Upper slope'", "highest body"});
+  expect_error(two_bodies,
+               {"Bodies/upper/Upper slope=-0.5"},
+               {"'Bodies/upper/Upper slope'", "-0.75 m at the thin end"});
+  expect_error(two_bodies,
+               {"Bodies/upper/Upper slope=0.1", "Bodies/upper/Rigid=true"},
+               {"'Bodies/upper/Upper slope'", "'Rigid'"});
+  expect_error(two_bodies,
+               {"Bodies/upper/Lower lateral corner=-2.5",
+                "Bodies/upper/Upper slope=0.1",
+                "Boundary conditions/Periodic along x=true"},
+               {"'Bodies/upper/Upper slope' = '0.1'",
+                "'Boundary conditions/Periodic along x' = 'true'"});
+  // The upper side of the upper body is pressed.
+  expect_error(two_bodies,
+               {"Bodies/upper/Rigid=true"},
+               {"'Boundary conditions/upper top/y condition' = 'traction'",
+                "rigid"});
+  expect_error(two_bodies,
+               {"Bodies/upper/Rigid=true",
+                "Boundary conditions/upper top/y condition=fixed",
+                "Boundary conditions/upper top/y value=0",
+                "Boundary conditions/upper top/x value=1e-4*x"},
+               {"'Boundary conditions/upper top/x value' = '1e-4*x'",
+                "position"});
+  expect_error(with("set Sides = lower bottom",
+                    "set Sides = lower left, lower bottom"),
+               {"Bodies/lower/Rigid=true"},
+               {"'Boundary conditions/Sides'", "two sides", "'lower'"});
+  expect_error(two_bodies, {"Gravity/Dip=90"}, {"'Gravity/Dip' = '90'", "< 90"});
+}

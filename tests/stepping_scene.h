@@ -41,7 +41,7 @@ namespace StickSlip::Tests
       , problem(meshes,
                 {scene.bodies[0].material, scene.bodies[1].material},
                 boundary_values,
-                scene.gravity)
+                scene.gravity_vector())
     {
       const InitialEquilibrium<2> equilibrium =
         solve_initial_equilibrium(problem);

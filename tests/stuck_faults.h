@@ -48,13 +48,28 @@ namespace StickSlip
     SpatialScene(const std::vector<BodyGeometry<dim>>      &bodies,
                  const std::vector<BoundaryCondition<dim>> &conditions,
                  const std::vector<Material>               &materials,
-                 const double                               gravity,
+                 const Tensor<1, dim>                      &gravity,
                  const MPI_Comm     communicator          = MPI_COMM_WORLD,
                  const unsigned int min_nodes_per_process = 500)
       : meshes(bodies, communicator, min_nodes_per_process)
       , materials(materials)
       , boundary(meshes, conditions, names(bodies.size()))
       , problem(meshes, materials, boundary, gravity)
+    {}
+
+    /** With gravity of this size along the last axis. */
+    SpatialScene(const std::vector<BodyGeometry<dim>>      &bodies,
+                 const std::vector<BoundaryCondition<dim>> &conditions,
+                 const std::vector<Material>               &materials,
+                 const double                               gravity,
+                 const MPI_Comm     communicator          = MPI_COMM_WORLD,
+                 const unsigned int min_nodes_per_process = 500)
+      : SpatialScene(bodies,
+                     conditions,
+                     materials,
+                     Tensor<1, dim>(-gravity * Point<dim>::unit_vector(dim - 1)),
+                     communicator,
+                     min_nodes_per_process)
     {}
 
     static std::vector<std::string>

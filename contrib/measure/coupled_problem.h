@@ -45,14 +45,14 @@ namespace Measure
         problem = std::make_unique<SpatialProblem<dim>>(*meshes,
                                                         materials,
                                                         *boundary,
-                                                        scene.gravity);
+                                                        scene.gravity_vector());
       });
       problem_bytes = allocated_bytes() - bytes_at_start - mesh_bytes;
     }
 
     /** The time that assembly alone takes, s. */
     double
-    assembly_time(const double gravity) const
+    assembly_time(const Tensor<1, dim> &gravity) const
     {
       return seconds([&]() {
         assemble_elastic_matrices(meshes->finest(), materials);

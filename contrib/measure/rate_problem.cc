@@ -211,7 +211,7 @@ namespace
     void
     add_costs()
     {
-      const double            assembly = coupled.assembly_time(scene.gravity);
+      const double            assembly = coupled.assembly_time(scene.gravity_vector());
       const LinearisationCost cost =
         measure_linearisation(problem.hierarchy(),
                               Newmark::operator_coefficients(tau));

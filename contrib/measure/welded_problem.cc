@@ -247,7 +247,7 @@ namespace Measure
         local = 0.;
         for (const unsigned int q : fe_values.quadrature_point_indices())
           {
-            force[q][dim - 1] -= scene.gravity;
+            force[q] += scene.gravity_vector();
             for (unsigned int i = 0; i < local.size(); ++i)
               local(i) += body_at(cell->center()[dim - 1]).material.density *
                           (force[q] * fe_values[velocity].value(i, q)) *

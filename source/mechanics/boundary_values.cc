@@ -16,6 +16,26 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** The degrees of freedom that follow what is said of a side, in the order
+     * of its surface: those on it, and all of a rigid body. */
+    template <int dim>
+    std::vector<types::global_dof_index>
+    driven_dofs(const BodyMesh<dim> &body, const types::boundary_id side)
+    {
+      if (!body.is_rigid())
+        return body.dofs_on_side(side);
+      std::vector<types::global_dof_index> dofs;
+      for (types::global_dof_index i = 0; i < body.dof_handler().n_dofs(); ++i)
+        if (!body.bound_nodes().is_constrained(i))
+          dofs.push_back(i);
+      return dofs;
+    }
+  } // namespace
+
+
+
   template <int dim>
   BoundaryValues<dim>::BoundaryValues(
     const MeshHierarchy<dim>                  &meshes,
@@ -46,13 +66,16 @@ namespace StickSlip
                                        expression_constants(),
                                        /*time_dependent=*/true);
           }
-        const FaultSurface<dim> surface =
-          finest.bodies[side.body]->surface(condition.side);
-        for (unsigned int k = 0; k < surface.dofs.size(); ++k)
-          if (const auto node = finest.global_node(side.body, surface.dofs[k]);
+        const BodyMesh<dim>          &body    = *finest.bodies[side.body];
+        const FaultSurface<dim>       surface = body.surface(condition.side);
+        const std::vector<Point<dim>> points  = body.node_positions();
+        const auto dofs = driven_dofs(body, condition.side);
+        for (unsigned int k = 0; k < dofs.size(); ++k)
+          if (const auto node = finest.global_node(side.body, dofs[k]);
               finest.nodes.owned().is_element(node))
             {
-              side.points.push_back(surface.points[k]);
+              side.points.push_back(body.is_rigid() ? points[dofs[k]] :
+                                                      surface.points[k]);
               side.nodes.push_back(finest.nodes.local_index(node));
             }
         sides.push_back(std::move(side));
@@ -67,6 +90,12 @@ namespace StickSlip
   {
     const MeshLevel<dim> &level = meshes.level(l);
     NodeMask              mask(level.n_nodes(), dim);
+    for (unsigned int b = 0; b < level.bodies.size(); ++b)
+      if (level.bodies[b]->is_rigid())
+        for (types::global_dof_index dof = 0;
+             dof < level.bodies[b]->dof_handler().n_dofs();
+             ++dof)
+          mask.mask_node(level.global_node(b, dof));
     for (const Side &side : sides)
       for (const auto dof :
            level.bodies[side.body]->dofs_on_side(side.condition.side))

@@ -17,8 +17,9 @@ namespace StickSlip
 
 
     /**
-     * Call @p visit(body, FEValues, rows) on each cell that touches an owned
-     * node, with the nodes that its degrees of freedom are bound to.
+     * Call @p visit(body, FEValues, rows) on each cell of a body that deforms
+     * and that touches an owned node, with the nodes that its degrees of freedom
+     * are bound to.
      */
     template <int dim, typename Visitor>
     void
@@ -29,6 +30,8 @@ namespace StickSlip
       const IndexSet &owned = level.nodes.owned();
       for (unsigned int body = 0; body < level.bodies.size(); ++body)
         {
+          if (level.bodies[body]->is_rigid())
+            continue;
           const DoFHandler<dim> &dof_handler =
             level.bodies[body]->dof_handler();
           const QGauss<dim> quadrature(dof_handler.get_fe().degree + 1);
@@ -224,7 +227,7 @@ namespace StickSlip
   NodalVector
   assemble_gravity(const MeshLevel<dim>        &level,
                    const std::vector<Material> &materials,
-                   const double                 acceleration)
+                   const Tensor<1, dim>        &acceleration)
   {
     NodalVector load = level.nodes.make_vector();
     for_each_cell(level,
@@ -241,9 +244,10 @@ namespace StickSlip
                             fe_values.shape_value(i, q) * fe_values.JxW(q);
                         for (const auto &node : rows[i])
                           if (node.first < level.nodes.n_owned())
-                            load.local_element(node.first * dim + dim - 1) -=
-                              node.second * materials[body].density *
-                              acceleration * integral;
+                            for (unsigned int c = 0; c < dim; ++c)
+                              load.local_element(node.first * dim + c) +=
+                                node.second * materials[body].density *
+                                acceleration[c] * integral;
                       }
                   });
     return load;
@@ -257,7 +261,7 @@ namespace StickSlip
     const MeshLevel<dim> &, const std::vector<Material> &);                 \
   template NodalVector assemble_gravity<dim>(const MeshLevel<dim> &,        \
                                              const std::vector<Material> &, \
-                                             const double);
+                                             const Tensor<1, dim> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

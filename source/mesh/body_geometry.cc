@@ -4,6 +4,8 @@
 #include <stickslip/mesh/body_geometry.h>
 #include <stickslip/parameters/entries.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   template <int dim>
@@ -14,6 +16,7 @@ namespace StickSlip
     periodic.fill(false);
     coarse_cells.fill(10);
     coarse_cells[dim - 1] = 2;
+    upper_slope.fill(0.);
   }
 
 
@@ -40,6 +43,29 @@ namespace StickSlip
       corner[axis] = lateral_upper[axis];
     corner[dim - 1] = base + thickness;
     return corner;
+  }
+
+
+
+  template <int dim>
+  double
+  BodyGeometry<dim>::thickness_at(const Point<dim> &point) const
+  {
+    double result = thickness;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      result += upper_slope[axis] * (point[axis] - lateral_lower[axis]);
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyGeometry<dim>::is_sloped() const
+  {
+    return std::any_of(upper_slope.begin(),
+                       upper_slope.end(),
+                       [](const double slope) { return slope != 0.; });
   }
 
 
@@ -76,7 +102,22 @@ namespace StickSlip
                "Thickness",
                thickness,
                NumberRange().above(0),
-               "Extent along the vertical axis, in m.");
+               "Extent along the vertical axis, in m; where the upper side "
+               "slopes, that at the lower lateral corner.");
+    add_numbers(prm,
+                "Upper slope",
+                upper_slope,
+                NumberRange(),
+                "By how much the upper side rises along each horizontal axis, "
+                "in m/m: a wedge. The highest body only, since faults are "
+                "level.");
+    add_switch(prm,
+               "Rigid",
+               rigid,
+               "Whether the body does not deform: a foundation. It has no "
+               "unknowns, and its material and mesh are not used. It does not "
+               "move, or moves as the boundary condition of one of its sides "
+               "says.");
     add_numbers(prm,
                 "Coarse cells",
                 coarse_cells,

@@ -72,19 +72,36 @@ namespace StickSlip
                           const bool               fault_above)
     : lateral_lower(geometry.lateral_lower)
     , period(geometry.period())
+    , rigid(geometry.rigid)
     , mesh(std::make_unique<Triangulation<dim>>())
   {
     GridGenerator::subdivided_hyper_rectangle(
       *mesh,
-      std::vector<unsigned int>(geometry.coarse_cells.begin(),
-                                geometry.coarse_cells.end()),
+      rigid ? std::vector<unsigned int>(dim, 1) :
+              std::vector<unsigned int>(geometry.coarse_cells.begin(),
+                                        geometry.coarse_cells.end()),
       geometry.lower_corner(),
       geometry.upper_corner(),
       /*colorize=*/true);
+    if (geometry.is_sloped())
+      GridTools::transform(
+        [&geometry](const Point<dim> &point) {
+          Point<dim> result = point;
+          result[dim - 1] =
+            geometry.base + (point[dim - 1] - geometry.base) *
+                              geometry.thickness_at(point) / geometry.thickness;
+          return result;
+        },
+        *mesh);
     const auto unrefined = std::make_shared<Triangulation<dim>>();
     unrefined->copy_triangulation(*mesh);
     coarse_cells = unrefined;
     join_periodic_sides(*mesh);
+    if (rigid)
+      {
+        distribute_dofs();
+        return;
+      }
     mesh->refine_global(geometry.uniform_refinements);
 
     const auto touches_a_fault = [&](const auto &cell) {
@@ -122,6 +139,7 @@ namespace StickSlip
   BodyMesh<dim>::BodyMesh(const BodyMesh &finer)
     : lateral_lower(finer.lateral_lower)
     , period(finer.period)
+    , rigid(finer.rigid)
     , coarse_cells(finer.coarse_cells)
     , mesh(std::make_unique<Triangulation<dim>>())
   {
@@ -353,6 +371,15 @@ namespace StickSlip
   BodyMesh<dim>::lateral_period() const
   {
     return period;
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyMesh<dim>::is_rigid() const
+  {
+    return rigid;
   }
 
 

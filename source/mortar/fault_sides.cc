@@ -40,6 +40,8 @@ namespace StickSlip
       return a < (1. - 1e-8) * b;
     };
     const bool lower_is_slave =
+      level.bodies[lower + 1]->is_rigid() ? true :
+      level.bodies[lower]->is_rigid()     ? false :
       stiffness_ratio > 4.            ? true :
       stiffness_ratio < 0.25          ? false :
       is_less(size_below, size_above) ? true :

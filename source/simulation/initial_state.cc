@@ -22,6 +22,23 @@ namespace StickSlip
                           expression,
                           expression_constants());
     }
+
+
+
+    /** How much the weight of what lies above a point of fault @p f presses on
+     * it, Pa. */
+    template <int dim>
+    double
+    weight_above(const SceneParameters<dim> &scene,
+                 const unsigned int          f,
+                 const Point<dim>           &point)
+    {
+      double density_times_thickness = 0;
+      for (unsigned int i = f + 1; i < scene.bodies.size(); ++i)
+        density_times_thickness += scene.bodies[i].material.density *
+                                   scene.bodies[i].geometry.thickness_at(point);
+      return -scene.gravity_vector()[dim - 1] * density_times_thickness;
+    }
   } // namespace
 
 
@@ -59,10 +76,6 @@ namespace StickSlip
     unsigned int        k      = 0;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        double weight_above = 0;
-        for (unsigned int i = f + 1; i < scene.bodies.size(); ++i)
-          weight_above += scene.bodies[i].material.density * scene.gravity *
-                          scene.bodies[i].geometry.thickness;
         FunctionParser<dim> function;
         initialize(function, scene.faults[f].normal_stress);
         const unsigned int first = k;
@@ -70,7 +83,7 @@ namespace StickSlip
           {
             if (scene.faults[f].normal_stress_source ==
                 NormalStressSource::lithostatic)
-              stress[k] = weight_above;
+              stress[k] = weight_above(scene, f, point);
             else if (scene.faults[f].normal_stress_source ==
                      NormalStressSource::function)
               {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
 namespace StickSlip
 {
@@ -97,6 +98,35 @@ namespace StickSlip
 
 
 
+    /** A wedge must be a body everywhere, and fit to its image if it is
+     * periodic. */
+    template <int dim>
+    void
+    check_slope(const BodyParameters<dim> &body)
+    {
+      const BodyGeometry<dim> &geometry = body.geometry;
+      const std::string        path     = "Bodies/" + body.name + "/";
+      // Linear in each coordinate: smallest at a corner.
+      Point<dim> lowest = geometry.lower_corner();
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        {
+          if (geometry.upper_slope[axis] < 0)
+            lowest[axis] = geometry.lateral_upper[axis];
+          if (geometry.periodic[axis] && geometry.upper_slope[axis] != 0)
+            throw InputError(naming(path + "Upper slope",
+                                    geometry.upper_slope[axis]) +
+                             " along " + "xy"[axis] + ": must be 0, since '" +
+                             periodic_entry(axis) + "' = 'true'.");
+        }
+      if (!(geometry.thickness_at(lowest) > 0))
+        throw InputError("'" + path +
+                         "Upper slope': leaves a thickness of " +
+                         shortest_form(geometry.thickness_at(lowest)) +
+                         " m at the thin end; it must be greater than 0.");
+    }
+
+
+
     template <int dim>
     void
     check_bodies(const SceneParameters<dim> &scene)
@@ -113,6 +143,25 @@ namespace StickSlip
               naming("Upper lateral corner",
                      body.geometry.lateral_upper[axis]) +
               " along " + "xy"[axis] + ".");
+
+      for (unsigned int i = 0; i < bodies.size(); ++i)
+        {
+          const BodyGeometry<dim> &geometry = bodies[i].geometry;
+          const std::string        path     = "Bodies/" + bodies[i].name + "/";
+          if (geometry.is_sloped() && i + 1 < bodies.size())
+            throw InputError("'" + path + "Upper slope': must be 0, since the "
+                             "fault above is level; only the highest body may "
+                             "have a slope.");
+          if (geometry.is_sloped() && geometry.rigid)
+            throw InputError("'" + path + "Upper slope': must be 0 for a body "
+                             "with 'Rigid' = 'true'.");
+          if (geometry.rigid && i > 0 && bodies[i - 1].geometry.rigid)
+            throw InputError(naming(path + "Rigid", "true") + ": '" +
+                             bodies[i - 1].name +
+                             "' below is rigid too; of two neighbours at least "
+                             "one must deform.");
+          check_slope(bodies[i]);
+        }
 
       for (unsigned int i = 1; i < bodies.size(); ++i)
         for (unsigned int axis = 0; axis + 1 < dim; ++axis)
@@ -209,12 +258,49 @@ namespace StickSlip
 
 
 
+    /** What is said of a side of a rigid body must be a motion of all of it. */
+    template <int dim>
+    void
+    check_rigid_motion(const SceneParameters<dim>   &scene,
+                       const BoundaryCondition<dim> &condition)
+    {
+      const std::string path = "Boundary conditions/" + condition.body + " " +
+                               side_name<dim>(condition.side) + "/";
+      for (const BoundaryCondition<dim> &other : scene.boundary_conditions)
+        if (other.body == condition.body && other.side != condition.side)
+          throw InputError("'Boundary conditions/Sides': lists two sides of "
+                           "the rigid body '" +
+                           condition.body +
+                           "'; one is enough, all of it moves with it.");
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const std::string axis(1, "xyz"[c]);
+          if (condition.type[c] == BoundaryType::traction)
+            throw InputError(naming(path + axis + " condition", "traction") +
+                             ": must be fixed, velocity or free on a rigid "
+                             "body, which does not move where it is free.");
+          static const std::regex a_coordinate("\\b[xyz]\\b");
+          if (condition.type[c] == BoundaryType::velocity &&
+              std::regex_search(condition.expression[c], a_coordinate))
+            throw InputError(naming(path + axis + " value",
+                                    condition.expression[c]) +
+                             ": must not depend on the position, since the body "
+                             "is rigid.");
+        }
+    }
+
+
+
     template <int dim>
     void
     check_boundary_conditions(const SceneParameters<dim> &scene)
     {
       std::array<bool, dim> held;
-      held.fill(false);
+      held.fill(scene.bodies.front().geometry.rigid);
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        for (const BodyParameters<dim> &body : scene.bodies)
+          if (body.name == condition.body && body.geometry.rigid)
+            check_rigid_motion(scene, condition);
       for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
         {
           const std::string path = "Boundary conditions/" + condition.body +

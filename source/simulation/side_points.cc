@@ -49,13 +49,19 @@ namespace StickSlip
     Assert(body != scene.bodies.end(), ExcMessage("There is no such body."));
 
     const unsigned int axis  = condition.side / 2;
+    const double       base  = body->geometry.base;
     Point<dim>         lower = body->geometry.lower_corner();
     Point<dim>         upper = body->geometry.upper_corner();
     if (condition.side % 2 == 0)
       upper[axis] = lower[axis];
     else
       lower[axis] = upper[axis];
-    return points_of_flat_brick(lower, upper, axis);
+    std::vector<Point<dim>> points = points_of_flat_brick(lower, upper, axis);
+    for (Point<dim> &point : points)
+      point[dim - 1] = base + (point[dim - 1] - base) *
+                                          body->geometry.thickness_at(point) /
+                                          body->geometry.thickness;
+    return points;
   }
 
 

@@ -91,7 +91,7 @@ namespace StickSlip
     , boundary_values(mesh_hierarchy,
                       scene.boundary_conditions,
                       body_names(scene))
-    , problem(mesh_hierarchy, materials(scene), boundary_values, scene.gravity)
+    , problem(mesh_hierarchy, materials(scene), boundary_values, scene.gravity_vector())
     , step_size_range(scene.time.end_time, 0.)
   {
     construction_timer.stop();

@@ -68,7 +68,7 @@ namespace StickSlip
   SpatialProblem<dim>::SpatialProblem(const MeshHierarchy<dim>    &meshes,
                                       const std::vector<Material> &materials,
                                       BoundaryValues<dim> &boundary_values,
-                                      const double         gravity)
+                                      const Tensor<1, dim> &gravity)
     : mesh_hierarchy(meshes)
     , boundary(boundary_values)
   {

@@ -18,7 +18,8 @@ namespace StickSlip
 {
   /**
    * The boundary conditions of a scene on its meshes: which components they
-   * fix on each level, and the values they take.
+   * fix on each level, and the values they take. All components of a rigid body
+   * are fixed, with the velocity that is given for one of its sides, or none.
    */
   template <int dim>
   class BoundaryValues

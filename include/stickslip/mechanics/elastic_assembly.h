@@ -45,13 +45,13 @@ namespace StickSlip
                             const std::vector<Material> &materials);
 
   /**
-   * The load vector of gravity, -rho g in the direction of the last axis.
+   * The load vector of gravity, rho times its @p acceleration, m/s^2.
    */
   template <int dim>
   NodalVector
   assemble_gravity(const MeshLevel<dim>        &level,
                    const std::vector<Material> &materials,
-                   const double                 acceleration);
+                   const Tensor<1, dim>        &acceleration);
 } // namespace StickSlip
 
 #endif

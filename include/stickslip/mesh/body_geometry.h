@@ -16,7 +16,10 @@ namespace StickSlip
   /**
    * A brick-shaped body and its mesh: coarse cells, refined all over, then
    * passes that each refine every cell touching a fault. The last axis is
-   * vertical; bodies are stacked along it.
+   * vertical; bodies are stacked along it. The upper side of the highest body
+   * may slope, which makes it a wedge.
+   *
+   * A rigid body is one cell, whatever its mesh is said to be.
    */
   template <int dim>
   struct BodyGeometry
@@ -29,8 +32,15 @@ namespace StickSlip
      * there are one, and fields repeat after its extent. */
     std::array<bool, dim - 1> periodic;
 
-    /** Extent along the vertical axis, m. */
+    /** Extent along the vertical axis, m; where the upper side slopes, that
+     * at the lower lateral corner. */
     double thickness = 1.;
+
+    /** Rise of the upper side along each horizontal axis, without unit. */
+    std::array<double, dim - 1> upper_slope;
+
+    /** Whether the body does not deform. */
+    bool rigid = false;
 
     /** Elevation of the lower side, m; follows from the bodies below. */
     double base = 0.;
@@ -49,8 +59,17 @@ namespace StickSlip
     Point<dim>
     lower_corner() const;
 
+    /** With the thickness at the lower lateral corner. */
     Point<dim>
     upper_corner() const;
+
+    /** The thickness at the horizontal coordinates of a point, m. */
+    double
+    thickness_at(const Point<dim> &point) const;
+
+    /** Whether the upper side is not level. */
+    bool
+    is_sloped() const;
 
     /** After how much fields repeat along each horizontal axis, m; zero: the
      * body ends there. */

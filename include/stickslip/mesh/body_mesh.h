@@ -82,6 +82,10 @@ namespace StickSlip
     const Tensor<1, dim - 1> &
     lateral_period() const;
 
+    /** Whether the body does not deform; it has one cell then. */
+    bool
+    is_rigid() const;
+
   private:
     void
     join_periodic_sides(Triangulation<dim> &triangulation) const;
@@ -98,6 +102,7 @@ namespace StickSlip
     /** Where the body begins and how far it goes along periodic axes. */
     std::array<double, dim - 1> lateral_lower;
     Tensor<1, dim - 1>          period;
+    bool                        rigid;
 
     /** The mesh before any refinement. */
     std::shared_ptr<const Triangulation<dim>> coarse_cells;

@@ -27,6 +27,7 @@ namespace StickSlip
    * The sides of the fault between the bodies @p lower and lower + 1. Slave is,
    * in this order,
    *
+   * - the side of the body that deforms, if the other one is rigid;
    * - the side of the softer body, if the other one is more than four times as
    *   stiff: multigrid and the rate problem of a stiff slave are hard to solve;
    * - the side with the smaller faces on average;

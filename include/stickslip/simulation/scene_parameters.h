@@ -4,6 +4,8 @@
 #ifndef stickslip_simulation_scene_parameters_h
 #define stickslip_simulation_scene_parameters_h
 
+#include <deal.II/base/tensor.h>
+
 #include <stickslip/friction/fault_parameters.h>
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mechanics/material.h>
@@ -19,6 +21,8 @@
 
 namespace StickSlip
 {
+  using namespace dealii;
+
   /**
    * One body of the scene.
    */
@@ -47,8 +51,11 @@ namespace StickSlip
     /** Along which horizontal axes all bodies are periodic. */
     std::array<bool, dim - 1> periodic;
 
-    /** Gravitational acceleration along the negative vertical axis, m/s^2. */
+    /** Gravitational acceleration, m/s^2. */
     double gravity = 9.81;
+
+    /** By how many degrees the faults dip towards positive x. */
+    double dip = 0.;
 
     ContactParameters contact;
     TNNMGParameters   tnnmg;
@@ -59,6 +66,11 @@ namespace StickSlip
     {
       periodic.fill(false);
     }
+
+    /** The acceleration of gravity along the axes of the scene, m/s^2: the
+     * last one is normal to the faults. */
+    Tensor<1, dim>
+    gravity_vector() const;
   };
 } // namespace StickSlip
 

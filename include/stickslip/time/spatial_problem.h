@@ -38,12 +38,12 @@ namespace StickSlip
       stiffness = 2
     };
 
-    /** @p materials from the lowest body to the highest; @p gravity in
-     * m/s^2. */
+    /** @p materials from the lowest body to the highest; @p gravity: its
+     * acceleration, m/s^2. */
     SpatialProblem(const MeshHierarchy<dim>    &meshes,
                    const std::vector<Material> &materials,
                    BoundaryValues<dim>         &boundary_values,
-                   const double                 gravity);
+                   const Tensor<1, dim>        &gravity);
 
     /**
      * Couple the faults as they are after a displacement, with everything that
