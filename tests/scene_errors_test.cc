@@ -120,6 +120,22 @@ TEST(SceneErrors, OverridesAreCheckedLikeTheFile)
 
 
 
+TEST(SceneErrors, DampedTimeSteppingIsForBodiesWithInertia)
+{
+  for (const std::string inertia : {"quasi-dynamic", "quasi-static"})
+    expect_error(two_bodies,
+                 {"Time/Inertia=" + inertia, "Time/Scheme=generalised alpha"},
+                 {"'Time/Scheme' = 'generalised alpha'",
+                  "'Time/Inertia' = 'dynamic'",
+                  "backward differences"});
+  expect_error(two_bodies,
+               {"Time/Inertia=static"},
+               {"'Time/Inertia' = 'static'",
+                "dynamic, quasi-dynamic, quasi-static"});
+}
+
+
+
 TEST(SceneErrors, UnknownEntriesAndSections)
 {
   expect_error(with("set b = 0.02", "set bb = 0.02"),

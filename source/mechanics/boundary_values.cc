@@ -16,6 +16,20 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    template <int dim>
+    bool
+    has_traction(const BoundaryCondition<dim> &condition)
+    {
+      return std::find(condition.type.begin(),
+                       condition.type.end(),
+                       BoundaryType::traction) != condition.type.end();
+    }
+  } // namespace
+
+
+
   template <int dim>
   BoundaryValues<dim>::BoundaryValues(
     const MeshHierarchy<dim>                  &meshes,
@@ -105,6 +119,17 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  BoundaryValues<dim>::has_tractions() const
+  {
+    return std::any_of(sides.begin(), sides.end(), [](const Side &side) {
+      return has_traction(side.condition);
+    });
+  }
+
+
+
+  template <int dim>
   void
   BoundaryValues<dim>::add_tractions(const double time, NodalVector &load)
   {
@@ -112,11 +137,7 @@ namespace StickSlip
     const IndexSet       &owned = level.nodes.owned();
     for (Side &side : sides)
       {
-        if (std::none_of(side.condition.type.begin(),
-                         side.condition.type.end(),
-                         [](const BoundaryType type) {
-                           return type == BoundaryType::traction;
-                         }))
+        if (!has_traction(side.condition))
           continue;
         const DoFHandler<dim> &dofs = level.bodies[side.body]->dof_handler();
         const double      ramp = smooth_ramp(time, side.condition.ramp_length);

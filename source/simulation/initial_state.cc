@@ -31,9 +31,10 @@ namespace StickSlip
   make_fault_laws(const SceneParameters<dim> &scene)
   {
     std::vector<FaultLaw> laws;
-    for (const FaultParameters &fault : scene.faults)
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        FaultLaw law;
+        const FaultParameters &fault = scene.faults[f];
+        FaultLaw               law;
         law.friction =
           std::make_shared<const RateAndStateLaw>(fault.rate_and_state,
                                                   fault.regularisation);
@@ -41,6 +42,10 @@ namespace StickSlip
         law.characteristic_slip = fault.rate_and_state.characteristic_slip;
         law.a                   = fault.rate_and_state.a;
         law.b                   = fault.rate_and_state.b;
+        if (scene.time.inertia == Inertia::quasi_dynamic)
+          law.radiation_damping =
+            1. / (1. / scene.bodies[f].material.shear_impedance() +
+                  1. / scene.bodies[f + 1].material.shear_impedance());
         laws.push_back(law);
       }
     return laws;
@@ -117,7 +122,8 @@ namespace StickSlip
     state.displacement = equilibrium.displacement;
     state.velocity     = equilibrium.displacement;
     state.velocity     = 0.;
-    state.acceleration = state.velocity;
+    if (scene.time.inertia == Inertia::dynamic)
+      state.acceleration = state.velocity;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
         FunctionParser<dim> theta;
