@@ -99,10 +99,10 @@ end
 subsection Faults
   set Names = one, two
   subsection one
-    set Characteristic slip = 2e-5
+    set Characteristic slip = 5e-6
   end
   subsection two
-    set Characteristic slip = 2e-5
+    set Characteristic slip = 5e-6
   end
 end
 subsection Boundary conditions
@@ -124,7 +124,8 @@ end
 
 
 
-  /** Through the first events of both faults; all states of some steps. */
+  /** All states of some steps, as long as the slip rates are small enough for
+   * a quasi-static run to go on. */
   std::vector<SystemState<2>>
   run_floating(const std::vector<std::string> &overrides,
                const unsigned int              n_steps)
@@ -137,6 +138,8 @@ end
       {
         simulation.advance();
         states.push_back(simulation.state());
+        if (states.back().velocity.linfty_norm() > 0.05)
+          break;
       }
     return states;
   }
@@ -178,7 +181,6 @@ TEST(Inertia, OnlyTheTermsOfTheSceneAreThere)
         problem.build_contact(scene.state.displacement);
         EXPECT_EQ(problem.has(Problem::mass), is_dynamic);
         EXPECT_EQ(problem.has(Problem::damping), is_viscous);
-        EXPECT_LE(problem.hierarchy().memory_consumption(), 1.2 * bytes.back());
         const std::size_t matrix =
           problem.hierarchy().matrix().memory_consumption();
         if (bytes.size() > 1)
@@ -273,7 +275,7 @@ TEST(Inertia, BalanceOfEnergyWithoutMass)
 
 TEST(Inertia, BodiesHeldByFrictionAlone)
 {
-  // Multigrid against dense matrices, through the first event.
+  // Multigrid against dense matrices, from rest into an event.
   for (const std::string &inertia : without_inertia)
     {
       SCOPED_TRACE(inertia);
@@ -281,15 +283,17 @@ TEST(Inertia, BodiesHeldByFrictionAlone)
         "Time/Inertia=" + inertia,
         "Bodies/middle/Material/Shear viscosity=0",
         "Bodies/middle/Material/Bulk viscosity=0",
+        "Time/Tolerance=1e-4",
         "TNNMG/Tolerance=1e-11",
         "Time/Rate-state tolerance=1e-10"};
-      constexpr unsigned int            n_steps = 600;
+      constexpr unsigned int            n_steps = 1000;
       const std::vector<SystemState<2>> ours    = run_floating(common, n_steps);
       const std::vector<SystemState<2>> exact =
         run_floating(joined(common, {"Time/Rate solver=condensed Newton"}),
                      n_steps);
+      ASSERT_EQ(ours.size(), exact.size());
       double largest = 0., error = 0.;
-      for (unsigned int n = 0; n < n_steps; ++n)
+      for (unsigned int n = 0; n < ours.size(); ++n)
         {
           ASSERT_EQ(ours[n].time, exact[n].time);
           const double size = exact[n].velocity.linfty_norm();
@@ -299,9 +303,10 @@ TEST(Inertia, BodiesHeldByFrictionAlone)
                      largest_difference(ours[n].velocity, exact[n].velocity) /
                        size);
         }
-      std::cout << inertia << ": until " << ours.back().time
-                << " s, largest velocity " << largest
+      std::cout << inertia << ": " << ours.size() << " steps until "
+                << ours.back().time << " s, largest velocity " << largest
                 << " m/s, largest relative difference " << error << '\n';
+      EXPECT_GT(largest, 1e-2);
       EXPECT_LT(error, 1e-5);
     }
 }
@@ -311,7 +316,6 @@ TEST(Inertia, BodiesHeldByFrictionAlone)
 TEST(Inertia, NothingHoldsTheBody)
 {
   const auto run = [](const std::string &inertia) -> std::string {
-    const std::string pressed = "Faults/one/Normal stress=function";
     try
       {
         run_floating({"Time/Inertia=" + inertia,
