@@ -106,9 +106,9 @@ namespace StickSlip
                 << ".";
         if (parameters.inertia == Inertia::quasi_static)
           message
-            << " With Time/Inertia = quasi-static slip rates grow without "
-               "bound where a fault becomes unstable; quasi-dynamic and "
-               "dynamic go on.";
+            << " With Time/Inertia = quasi-static slip rates can grow without "
+               "bound where a fault becomes unstable; with quasi-dynamic and "
+               "dynamic they do not.";
         throw StepSizeTooSmall(message.str());
       }
   }

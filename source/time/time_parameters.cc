@@ -81,7 +81,7 @@ namespace StickSlip
       "for the shear waves that a fault sends into the bodies, with "
       "1/eta the sum of 1/sqrt(density times shear modulus) of both "
       "sides (quasi-dynamic, Rice 1993); or nothing at all "
-      "(quasi-static). In the last case slip rates grow without bound "
+      "(quasi-static). In the last case slip rates can grow without bound "
       "once a fault has become unstable, and the run ends there with a "
       "message. Without mass there is no matrix of it, and each step "
       "takes backward differences of second order.");
