@@ -57,7 +57,7 @@ VARIANTS = {
     "no balance of energy": {"Output/Energy balance": "false"},
     "no files of the bodies": {"Output/Write volume": "false"},
 }
-STEP, SHORT, LONG = 0.01, 10, 60
+STEP, SHORT, LONG = 0.01, 20, 220
 REFINED = {
     f"Bodies/{body}/Uniform refinements": 2 for body in ("lower", "upper")
 } | {"Time/Step size control": "constant", "Time/Largest step": STEP}
@@ -181,7 +181,7 @@ def main():
     parser.add_argument(
         "--program", type=pathlib.Path, default=programs.PROJECT / "build/stickslip"
     )
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=4)
     arguments = parser.parse_args()
     rows = measure_steps(arguments.program, arguments.rounds)
     for name, settings in VARIANTS.items():

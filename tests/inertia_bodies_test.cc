@@ -44,7 +44,8 @@ namespace
 
 
 
-  /** After some steps of one size, solved exactly. */
+  /** After steps of one size that are short enough for the fault, whose
+   * friction and stiffness give it a time of 0.01 s; solved exactly. */
   SystemState<2>
   state_after(const std::string              &inertia,
               const double                    tau,
@@ -55,15 +56,15 @@ namespace
       joined({"Time/Inertia=" + inertia,
               "Time/Step size control=constant",
               "Time/Largest step=" + std::to_string(tau),
-              "Time/End time=1",
+              "Time/End time=0.5",
               "Time/Rate-state tolerance=1e-12",
               "TNNMG/Tolerance=1e-12",
               "Boundary conditions/upper top/x value=4e-3*t^4",
               "Boundary conditions/upper top/Ramp length=0",
               "Output/Event start slip rate=1"},
              more));
-    scene.advance_until(1. - 1e-9);
-    EXPECT_NEAR(scene.state.time, 1., 1e-9);
+    scene.advance_until(0.5 - 1e-9);
+    EXPECT_NEAR(scene.state.time, 0.5, 1e-9);
     return scene.state;
   }
 
@@ -205,7 +206,7 @@ TEST(Inertia, WithoutMassVelocitiesAreOfSecondOrderInTheBodiesToo)
         const std::vector<std::string> more =
           is_viscous ? std::vector<std::string>() : inviscid;
         std::vector<SystemState<2>> states;
-        for (const double tau : {0.02, 0.01, 0.005, 0.0025})
+        for (const double tau : {0.005, 0.0025, 0.00125, 0.000625})
           states.push_back(state_after(inertia, tau, more));
         for (unsigned int i = 0; i < 2; ++i)
           {
@@ -232,7 +233,7 @@ TEST(Inertia, BalanceOfEnergyWithoutMass)
   for (const std::string &inertia : without_inertia)
     {
       std::vector<double> defects;
-      for (const double tau : {0.02, 0.01, 0.005})
+      for (const double tau : {0.01, 0.005, 0.0025})
         {
           Simulation<2> simulation(
             read_scene(creeping_bodies,
@@ -241,7 +242,7 @@ TEST(Inertia, BalanceOfEnergyWithoutMass)
                         "Time/Largest step=" + std::to_string(tau),
                         "Time/Rate-state tolerance=1e-11",
                         "TNNMG/Tolerance=1e-11",
-                        "Gravity/Acceleration=9.81",
+                        "Time/End time=1",
                         "Boundary conditions/upper top/x value=4e-3*t^4",
                         "Boundary conditions/upper top/y condition=traction",
                         "Boundary conditions/upper top/y value=-1e4*t^4",
@@ -306,7 +307,7 @@ TEST(Inertia, BodiesHeldByFrictionAlone)
       std::cout << inertia << ": " << ours.size() << " steps until "
                 << ours.back().time << " s, largest velocity " << largest
                 << " m/s, largest relative difference " << error << '\n';
-      EXPECT_GT(largest, 1e-2);
+      EXPECT_GT(largest, 1e-3);
       EXPECT_LT(error, 1e-5);
     }
 }

@@ -126,7 +126,7 @@ TEST(Slider, EventsOfTheQuasiDynamicLayersAreThoseOfAnODE)
   RadiatingSlider     ode          = slider(scene_layers, true);
   ode.run(25., 0.);
   const Series reference{ode.time, ode.slip_rate};
-  ode.tolerance = 1e-9;
+  ode.tolerance = 1e-11;
   ode.run(25., 0.);
   const Series coarser{ode.time, ode.slip_rate};
   ASSERT_GE(reference.events().size(), 3u);

@@ -39,7 +39,7 @@ namespace StickSlip::Tests
     bool   is_arcsinh = false;
     /** Displacement, m, and velocity, m/s, of the end of the spring. */
     std::function<std::array<double, 2>(double)> loading;
-    double                                       tolerance = 1e-11;
+    double                                       tolerance = 1e-13;
 
     std::vector<double> time, slip_rate, alpha;
 
@@ -125,7 +125,7 @@ namespace StickSlip::Tests
           const double e    = linear * std::exp(x);
           const double step = (e + s * (x - x_min) - force) / (e + s);
           x -= step;
-          if (std::abs(step) < 1e-14 * std::max(1., std::abs(x)))
+          if (std::abs(step) < 1e-14 * std::max(10., force / s))
             return std::exp(x);
         }
       AssertThrow(false, ExcMessage("No slip rate was found."));

@@ -55,12 +55,15 @@ namespace
     layers.friction            = theory.friction;
     layers.normal_stress       = theory.normal_stress;
     layers.velocity            = theory.slip_rate;
+    // Where the bodies only translate, a solution without mass is no more exact
+    // than rounding times the condition of the stiffness.
+    const std::string tolerance = inertia == "dynamic" ? "1e-12" : "1e-10";
     return SteppingScene(layers.text(),
                          {std::string("Faults/fault/State law=") +
                             (law == StateLaw::aging ? "aging" : "slip"),
                           "Time/Inertia=" + inertia,
-                          "TNNMG/Tolerance=1e-12",
-                          "Time/Rate-state tolerance=1e-12",
+                          "TNNMG/Tolerance=" + tolerance,
+                          "Time/Rate-state tolerance=" + tolerance,
                           "Time/Largest step=1e6",
                           "Time/Initial step=1e-3"});
   }
@@ -323,12 +326,11 @@ TEST(SteadySliding, SecondOrderInMeshAndStep)
 
 namespace
 {
-  /** Sliding so fast that inertia would matter. */
   SteadySliding
-  fast_unequal_layers()
+  unequal_layers(const double slip_rate)
   {
     SteadySliding theory              = two_layers(1.);
-    theory.slip_rate                  = 7e-4;
+    theory.slip_rate                  = slip_rate;
     theory.thickness                  = {{0.6, 0.4}};
     theory.material[0].youngs_modulus = 6e7;
     theory.material[1].poissons_ratio = 0.2;
@@ -355,7 +357,8 @@ namespace
           SteadySliding other     = theory;
           other.with_inertia      = true;
           other.radiation_damping = 0.;
-          EXPECT_GT(std::abs(other.growth_rate() / expected - 1.), 0.02);
+          // It matters which of the models it is.
+          EXPECT_GT(std::abs(other.growth_rate() / expected - 1.), 0.04);
           const Complex found =
             simulated_growth_rate(theory, law, 4, 120, inertia);
           EXPECT_NEAR(found.real() / expected.real(), 1., 0.02)
@@ -377,14 +380,14 @@ namespace
 
 TEST(SteadySliding, GrowthWithoutInertia)
 {
-  check_without_inertia(fast_unequal_layers(), "quasi-static");
+  check_without_inertia(unequal_layers(4e-3), "quasi-static");
 }
 
 
 
 TEST(SteadySliding, GrowthWithRadiationDamping)
 {
-  SteadySliding theory  = fast_unequal_layers();
+  SteadySliding theory  = unequal_layers(7e-4);
   const double  without = critical_wave_length(theory);
   double        sum     = 0.;
   for (const Material &material : theory.material)
