@@ -158,7 +158,7 @@ namespace
       {std::make_shared<RateAndStateLaw>(law, regularisation)},
       std::vector<unsigned int>(nodes.size(), 0));
     friction.set_state(alpha);
-    problem.hierarchy().combine(Newmark::operator_coefficients(step_size));
+    problem.combine(Newmark::operator_coefficients(step_size));
     const NodalVector b = Newmark::right_hand_side(problem, state, step_size);
     NodalVector       w = problem.make_vector(), u = state.velocity;
     problem.boundary_values().set_velocities(state.time + step_size, u);

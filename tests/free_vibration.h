@@ -36,8 +36,8 @@ namespace StickSlip::Tests
               full(i * 2 + c, A.sparsity().column[k] * 2 + d) =
                 A.block(k)[c * 2 + d];
     };
-    expand(K, problem.hierarchy().term(SpatialProblem<2>::stiffness));
-    expand(M, problem.hierarchy().term(SpatialProblem<2>::mass));
+    expand(K, problem.term(SpatialProblem<2>::stiffness));
+    expand(M, problem.term(SpatialProblem<2>::mass));
     std::vector<Vector<double>> modes(number + 1, Vector<double>(n));
     K.compute_generalized_eigenvalues_symmetric(M, modes);
     for (unsigned int i = 0; i < n; ++i)

@@ -354,6 +354,62 @@ TYPED_TEST(FaultFrictionTest, MinimiserAgreesWithHighPrecisionForAnyMask)
 
 
 
+TYPED_TEST(FaultFrictionTest, DampingIsAMatrixMore)
+{
+  constexpr int                    dim    = TypeParam::value;
+  const FaultFriction<dim>         plain  = example<dim>();
+  FaultFriction<dim>               damped = example<dim>();
+  const std::vector<double>        damping{0., 2e5, 3e4, 1e5, 7., 4e6};
+  std::mt19937                     engine(9);
+  LogUniform                       random_rate(1e-12, 10.);
+  std::normal_distribution<double> normal;
+  damped.set_damping(damping);
+  for (unsigned int i = 0; i < 50; ++i)
+    for (unsigned int k = 0; k < plain.nodes().size(); ++k)
+      {
+        Tensor<2, dim> D, A;
+        for (unsigned int c = 0; c < dim - 1; ++c)
+          D[c][c] = plain.get_weights()[k] * damping[k];
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b <= a; ++b)
+            A[a][b] = A[b][a] = a == b ? 1e6 : 1e5 * std::tanh(normal(engine));
+
+        const Tensor<1, dim> v =
+                               random_vector<dim>(engine, random_rate(engine)),
+                             direction = random_vector<dim>(engine, 1.),
+                             force     = random_vector<dim>(engine, 1e3);
+        const auto close = [](const double ours, const double theirs) {
+          EXPECT_NEAR(ours, theirs, 1e-12 * std::abs(theirs));
+        };
+        close(damped.value(k, v), plain.value(k, v) + 0.5 * (v * (D * v)));
+        EXPECT_LE((damped.gradient(k, v) - plain.gradient(k, v) - D * v).norm(),
+                  1e-12 * damped.gradient(k, v).norm());
+        EXPECT_NEAR(damped.directional_derivative(k, v, direction),
+                    damped.gradient(k, v) * direction,
+                    1e-12 * damped.gradient(k, v).norm());
+        EXPECT_LE((damped.hessian(k, v) - plain.hessian(k, v) - D).norm(),
+                  1e-12 * damped.hessian(k, v).norm());
+        EXPECT_LE((damped.secant_hessian(k, v, force) -
+                   plain.secant_hessian(k, v, force) - D)
+                    .norm(),
+                  1e-12 * damped.secant_hessian(k, v, force).norm());
+        for (unsigned int mask = 1; mask < (1u << dim); ++mask)
+          {
+            std::array<bool, dim> active;
+            for (unsigned int c = 0; c < dim; ++c)
+              active[c] = (mask >> c) & 1u;
+            // What is not active is already in the right hand side.
+            const Tensor<1, dim> expected =
+              plain.minimise(k, A + D, force, active, v);
+            EXPECT_LE(
+              (damped.minimise(k, A, force, active, v) - expected).norm(),
+              1e-10 * expected.norm());
+          }
+      }
+}
+
+
+
 TYPED_TEST(FaultFrictionTest, ExtremeValuesAreHarmless)
 {
   constexpr int      dim      = TypeParam::value;

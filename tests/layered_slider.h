@@ -87,7 +87,7 @@ namespace StickSlip::Tests
         }
       problem.to_nodal(state.displacement, w);
 
-      hierarchy.combine(Newmark::operator_coefficients(tau));
+      problem.combine(Newmark::operator_coefficients(tau));
       return Newmark::right_hand_side(problem, state, tau);
     }
 

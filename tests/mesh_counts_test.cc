@@ -291,8 +291,8 @@ namespace
     const auto               bodies = stack<dim>({below, wedge});
     const MeshHierarchy<dim> meshes(bodies, MPI_COMM_WORLD);
     // The mean thickness times the extent.
-    const double volume =
-      (0.5 + 0.25 * 2.5 - (dim == 3 ? 0.125 * 2.5 : 0.)) * std::pow(5., dim - 1);
+    const double volume = (0.5 + 0.25 * 2.5 - (dim == 3 ? 0.125 * 2.5 : 0.)) *
+                          std::pow(5., dim - 1);
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       {
         const BodyMesh<dim> &body = *meshes.level(l).bodies[1];
@@ -303,7 +303,9 @@ namespace
         for (const auto &point : body.surface(BodyMesh<dim>::lower_side).points)
           EXPECT_EQ(point[dim - 1], 1.);
         for (const auto &point : body.surface(BodyMesh<dim>::upper_side).points)
-          EXPECT_NEAR(point[dim - 1], 1. + bodies[1].thickness_at(point), 1e-12);
+          EXPECT_NEAR(point[dim - 1],
+                      1. + bodies[1].thickness_at(point),
+                      1e-12);
       }
   }
 } // namespace

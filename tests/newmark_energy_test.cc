@@ -13,8 +13,8 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  constexpr unsigned int mass      = SpatialProblem<2>::mass;
-  constexpr unsigned int stiffness = SpatialProblem<2>::stiffness;
+  constexpr auto mass      = SpatialProblem<2>::mass;
+  constexpr auto stiffness = SpatialProblem<2>::stiffness;
 
 
 
@@ -56,14 +56,13 @@ namespace
   SystemState<2>
   step(SpatialProblem<2> &problem, const SystemState<2> &from, const double tau)
   {
-    LevelHierarchy<2> &hierarchy = problem.hierarchy();
-    SystemState<2>     to        = from;
-    to.time                      = from.time + tau;
-    NodalVector w                = problem.make_vector();
+    SystemState<2> to = from;
+    to.time           = from.time + tau;
+    NodalVector w     = problem.make_vector();
     problem.to_jumps(w, from.velocity);
-    solve_linear(hierarchy,
+    solve_linear(problem,
                  Newmark::operator_coefficients(tau),
-                 stuck_mask(hierarchy),
+                 stuck_mask(problem.hierarchy()),
                  Newmark::right_hand_side(problem, from, tau),
                  w);
     problem.to_nodal(to.velocity, w);
@@ -78,10 +77,10 @@ namespace
   {
     NodalVector w = problem.make_vector(), Aw = w;
     problem.to_jumps(w, state.velocity);
-    problem.hierarchy().term(mass).vmult(Aw, w);
+    problem.term(mass).vmult(Aw, w);
     double result = 0.5 * (w * Aw);
     problem.to_jumps(w, state.displacement);
-    problem.hierarchy().term(stiffness).vmult(Aw, w);
+    problem.term(stiffness).vmult(Aw, w);
     return result + 0.5 * (w * Aw);
   }
 

@@ -58,7 +58,7 @@ namespace
           to.time           = state.time + tau;
           NodalVector w     = problem.make_vector();
           problem.to_jumps(w, state.velocity);
-          solve_linear(problem.hierarchy(),
+          solve_linear(problem,
                        scheme.operator_coefficients(tau),
                        stuck_mask(problem.hierarchy()),
                        scheme.right_hand_side(problem, state, tau),

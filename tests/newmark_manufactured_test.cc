@@ -189,7 +189,7 @@ namespace
           for (const unsigned int p : levels.finest().nonsmooth_nodes)
             for (unsigned int c = 0; c < 2; ++c)
               w.local_element(p * 2 + c) = 0.;
-          solve_linear(levels,
+          solve_linear(problem,
                        Newmark::operator_coefficients(tau),
                        stuck_mask(levels),
                        rhs,

@@ -127,6 +127,14 @@ TEST(ParallelRun, LargeSlidingOfEndlessBodiesIsTheSame)
 
 
 
+TEST(ParallelRun, LargeSlidingWithoutInertiaIsTheSame)
+{
+  for (const std::string inertia : {"quasi-dynamic", "quasi-static"})
+    expect_equal_sliding({"Time/Inertia=" + inertia});
+}
+
+
+
 TEST(ParallelRun, NoNumberOnOneProcessIsAFailureOnAll)
 {
   SKIP_WHERE_NAN_IS_FATAL();

@@ -120,6 +120,22 @@ TEST(SceneErrors, OverridesAreCheckedLikeTheFile)
 
 
 
+TEST(SceneErrors, DampedTimeSteppingIsForBodiesWithInertia)
+{
+  for (const std::string inertia : {"quasi-dynamic", "quasi-static"})
+    expect_error(two_bodies,
+                 {"Time/Inertia=" + inertia, "Time/Scheme=generalised alpha"},
+                 {"'Time/Scheme' = 'generalised alpha'",
+                  "'Time/Inertia' = 'dynamic'",
+                  "backward differences"});
+  expect_error(two_bodies,
+               {"Time/Inertia=static"},
+               {"'Time/Inertia' = 'static'",
+                "dynamic, quasi-dynamic, quasi-static"});
+}
+
+
+
 TEST(SceneErrors, UnknownEntriesAndSections)
 {
   expect_error(with("set b = 0.02", "set bb = 0.02"),
@@ -393,5 +409,7 @@ TEST(SceneErrors, Foundations)
                     "set Sides = lower left, lower bottom"),
                {"Bodies/lower/Rigid=true"},
                {"'Boundary conditions/Sides'", "two sides", "'lower'"});
-  expect_error(two_bodies, {"Gravity/Dip=90"}, {"'Gravity/Dip' = '90'", "< 90"});
+  expect_error(two_bodies,
+               {"Gravity/Dip=90"},
+               {"'Gravity/Dip' = '90'", "< 90"});
 }

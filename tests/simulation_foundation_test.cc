@@ -33,7 +33,8 @@ namespace
 TEST(Foundation, IsTheLimitOfStiffBodies)
 {
   const RunHistory founded(
-    published_scene("spring_slider", with(one_event, {"Bodies/lower/Rigid=true"})));
+    published_scene("spring_slider",
+                    with(one_event, {"Bodies/lower/Rigid=true"})));
   ASSERT_GE(founded.events.size(), 1u);
 
   // The difference falls as the compliance of the lower body.
@@ -60,15 +61,15 @@ TEST(Foundation, ThatMovesDoesTheWorkOfADrivenSide)
 {
   // The foundation is dragged below a body that is held: in the end the fault
   // slips as fast as that, and what drives it does the work of friction.
-  const SceneParameters<2> scene = read_scene(
-    creeping_bodies,
-    {"Bodies/lower/Rigid=true",
-     "Boundary conditions/lower bottom/x condition=velocity",
-     "Boundary conditions/lower bottom/x value=1e-3",
-     "Boundary conditions/lower bottom/Ramp length=1",
-     "Boundary conditions/upper top/x condition=fixed",
-     "Boundary conditions/upper top/x value=0",
-     "Time/End time=8"});
+  const SceneParameters<2> scene =
+    read_scene(creeping_bodies,
+               {"Bodies/lower/Rigid=true",
+                "Boundary conditions/lower bottom/x condition=velocity",
+                "Boundary conditions/lower bottom/x value=1e-3",
+                "Boundary conditions/lower bottom/Ramp length=1",
+                "Boundary conditions/upper top/x condition=fixed",
+                "Boundary conditions/upper top/x value=0",
+                "Time/End time=8"});
   Simulation<2> simulation(scene, MPI_COMM_WORLD);
   simulation.set_up();
   while (!simulation.is_finished())
@@ -117,7 +118,7 @@ TEST(Foundation, WithDipABodySlidesDownAsOnAnInclinedPlane)
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
-    double sum = 0, weights = 0;
+    double                 sum = 0, weights = 0;
     const FaultSnapshot<2> fault = snapshots(simulation).front();
     for (unsigned int k = 0; k < fault.weights.size(); ++k)
       {

@@ -52,17 +52,21 @@ namespace
 
 TEST(RateSolver, CondensedNewtonGivesTheSlipRatesOfTNNMG)
 {
-  for (const std::string method : {"interleaved", "nested"})
-    {
-      SCOPED_TRACE(method);
-      const std::string option = "Time/Rate-state method=" + method;
-      SteppingScene     reference(creeping_bodies, {option});
-      SteppingScene     scene(creeping_bodies,
-                          {option, "Time/Rate solver=condensed Newton"});
-      expect_same_run(scene, reference, 1.5);
-      EXPECT_EQ(scene.step->total_counts().multigrid_cycles, 0u);
-      EXPECT_GT(reference.step->total_counts().multigrid_cycles, 0u);
-    }
+  for (const std::string inertia : {"dynamic", "quasi-dynamic", "quasi-static"})
+    for (const std::string method : {"interleaved", "nested"})
+      {
+        SCOPED_TRACE(inertia + ", " + method);
+        const std::string option   = "Time/Rate-state method=" + method,
+                          inertial = "Time/Inertia=" + inertia;
+        SteppingScene reference(creeping_bodies, {option, inertial});
+        SteppingScene scene(creeping_bodies,
+                            {option,
+                             inertial,
+                             "Time/Rate solver=condensed Newton"});
+        expect_same_run(scene, reference, 1.5);
+        EXPECT_EQ(scene.step->total_counts().multigrid_cycles, 0u);
+        EXPECT_GT(reference.step->total_counts().multigrid_cycles, 0u);
+      }
 }
 
 

@@ -86,23 +86,22 @@ namespace
     // The same meshes, with the side of the wedge fixed by itself.
     std::array<BoundaryType, dim> all_fixed;
     all_fixed.fill(fixed);
-    SpatialScene<dim> held(two,
-                           {make_side<dim>("1",
-                                           BodyMesh<dim>::lower_side,
-                                           all_fixed)},
-                           std::vector<Material>(2),
-                           inclined_gravity<dim>());
+    SpatialScene<dim> held(
+      two,
+      {make_side<dim>("1", BodyMesh<dim>::lower_side, all_fixed)},
+      std::vector<Material>(2),
+      inclined_gravity<dim>());
 
-    const auto on_foundation = solve_initial_equilibrium(founded.problem);
-    const auto on_fixed_side = solve_initial_equilibrium(held.problem);
-    NodalVector difference   = on_foundation.displacement;
+    const auto  on_foundation = solve_initial_equilibrium(founded.problem);
+    const auto  on_fixed_side = solve_initial_equilibrium(held.problem);
+    NodalVector difference    = on_foundation.displacement;
     difference -= on_fixed_side.displacement;
     EXPECT_LT(difference.l2_norm(),
               1e-10 * on_fixed_side.displacement.l2_norm());
     EXPECT_GT(on_fixed_side.displacement.l2_norm(), 1e-3);
 
     // The whole weight of the wedge on the fault.
-    const MeshLevel<dim>   &level   = founded.meshes.finest();
+    const MeshLevel<dim>    &level   = founded.meshes.finest();
     const FaultContact<dim> &contact = founded.problem.jump_basis().faults()[0];
     EXPECT_EQ(contact.sides.slave_body, 1u);
     double volume = 0;
@@ -112,10 +111,10 @@ namespace
     double normal = 0, shear = 0;
     for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
       {
-        normal += contact.coupling.weight[k] *
-                  on_foundation.contact_pressure[k];
-        shear += contact.coupling.weight[k] *
-                 on_foundation.shear_traction[k][0];
+        normal +=
+          contact.coupling.weight[k] * on_foundation.contact_pressure[k];
+        shear +=
+          contact.coupling.weight[k] * on_foundation.shear_traction[k][0];
       }
     const double weight = Material().density * 9.81 * volume;
     EXPECT_NEAR(normal, weight * std::cos(numbers::PI / 9.), 1e-9 * weight);
@@ -143,7 +142,7 @@ TEST(Foundation, HoldsABodyLikeAFixedSide)
 
 TEST(Foundation, HasNoMatrices)
 {
-  const SpatialScene<2> scene(stack<2>({foundation<2>(), wedge<2>(1)}),
+  const SpatialScene<2>    scene(stack<2>({foundation<2>(), wedge<2>(1)}),
                               {},
                               std::vector<Material>(2),
                               inclined_gravity<2>());
@@ -169,11 +168,13 @@ TEST(Foundation, MovesAsOneBody)
   for (const unsigned int side : {0u, 3u})
     {
       BodyGeometry<2> lid = foundation<2>();
-      SpatialScene<2> scene(
-        stack<2>({make_body<2>(1., {{4, 2}}, 1), lid}),
-        {make_side<2>("1", side, {{BoundaryType::velocity, fixed}}, {{velocity, ""}})},
-        std::vector<Material>(2),
-        Tensor<1, 2>());
+      SpatialScene<2> scene(stack<2>({make_body<2>(1., {{4, 2}}, 1), lid}),
+                            {make_side<2>("1",
+                                          side,
+                                          {{BoundaryType::velocity, fixed}},
+                                          {{velocity, ""}})},
+                            std::vector<Material>(2),
+                            Tensor<1, 2>());
       EXPECT_EQ(scene.problem.jump_basis().faults()[0].sides.slave_body, 0u);
       NodalVector v = scene.problem.make_nodal_vector();
       scene.boundary.set_velocities(2., v);

@@ -182,7 +182,7 @@ namespace
     for (const auto term :
          {SpatialProblem<dim>::stiffness, SpatialProblem<dim>::damping})
       {
-        BlockMatrix<dim> A = scene.problem.hierarchy().term(term);
+        BlockMatrix<dim> A = scene.problem.term(term);
         for (unsigned int l = scene.meshes.n_levels(); l-- > 0;)
           {
             double scale = 0.;

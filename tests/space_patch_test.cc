@@ -82,10 +82,9 @@ namespace
   void
   solve_static(SpatialScene<dim> &scene, NodalVector &w)
   {
-    LevelHierarchy<dim> &hierarchy = scene.problem.hierarchy();
-    solve_linear(hierarchy,
+    solve_linear(scene.problem,
                  {0., 0., 1.},
-                 stuck_mask(hierarchy),
+                 stuck_mask(scene.problem.hierarchy()),
                  scene.problem.load(0.),
                  w);
   }

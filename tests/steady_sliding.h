@@ -40,6 +40,8 @@ namespace StickSlip::Tests
     double                 slip_rate     = 0;
     double                 wave_number   = 0;
     bool                   with_inertia  = true;
+    /** Pa s/m. */
+    double radiation_damping = 0;
 
     /** A perturbation at one point: X, Y and the traction components
      * sigma_xy / cos kx and sigma_yy / sin kx. */
@@ -69,16 +71,18 @@ namespace StickSlip::Tests
     Complex
     characteristic_function(const Complex s) const
     {
-      return stiffness(s) + normal_stress * (friction.a * s / slip_rate +
-                                             friction.b * state(s));
+      return stiffness(s) + radiation_damping * s +
+             normal_stress *
+               (friction.a * s / slip_rate + friction.b * state(s));
     }
 
     /** Below this stiffness steady sliding is unstable without inertia and
-     * viscosity. */
+     * viscosity: with s purely imaginary, the terms in s cancel. */
     double
     critical_stiffness() const
     {
-      return normal_stress * (friction.b - friction.a) /
+      return (normal_stress * (friction.b - friction.a) -
+              radiation_damping * slip_rate) /
              friction.characteristic_slip;
     }
 
@@ -88,7 +92,7 @@ namespace StickSlip::Tests
     growth_rate() const
     {
       const double L = friction.characteristic_slip, V = slip_rate,
-                   a = friction.a * normal_stress / V;
+                   a = friction.a * normal_stress / V + radiation_damping;
       // With inertia the two kinds of waves are the same at s = 0.
       SteadySliding slow = *this;
       slow.with_inertia  = false;

@@ -41,7 +41,8 @@ namespace StickSlip::Tests
       , problem(meshes,
                 {scene.bodies[0].material, scene.bodies[1].material},
                 boundary_values,
-                scene.gravity_vector())
+                scene.gravity_vector(),
+                scene.time.inertia == Inertia::dynamic)
     {
       const InitialEquilibrium<2> equilibrium =
         solve_initial_equilibrium(problem);
@@ -125,6 +126,7 @@ namespace StickSlip::Tests
            same_bits(a.displacement, b.displacement) &&
            same_bits(a.velocity, b.velocity) &&
            same_bits(a.acceleration, b.acceleration) &&
+           same_bits(a.mean_velocity, b.mean_velocity) &&
            same_bits(a.alpha, b.alpha) && same_bits(a.slip, b.slip) &&
            same_bits(a.slip_rate, b.slip_rate);
   }

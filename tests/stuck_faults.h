@@ -67,7 +67,8 @@ namespace StickSlip
       : SpatialScene(bodies,
                      conditions,
                      materials,
-                     Tensor<1, dim>(-gravity * Point<dim>::unit_vector(dim - 1)),
+                     Tensor<1, dim>(-gravity *
+                                    Point<dim>::unit_vector(dim - 1)),
                      communicator,
                      min_nodes_per_process)
     {}
@@ -99,18 +100,19 @@ namespace StickSlip
 
   /**
    * Improve the active components of @p w until A w = b holds there, for the
-   * operator A = sum of coefficients times terms.
+   * operator A = sum of coefficients times M, C and K.
    */
   template <int dim>
   void
-  solve_linear(LevelHierarchy<dim>       &hierarchy,
+  solve_linear(SpatialProblem<dim>       &problem,
                const std::vector<double> &coefficients,
                const NodeMask            &active,
                const NodalVector         &b,
                NodalVector               &w,
                const double               reduction = 1e-14)
   {
-    hierarchy.combine(coefficients);
+    LevelHierarchy<dim> &hierarchy = problem.hierarchy();
+    problem.combine(coefficients);
     hierarchy.linearise(std::vector<Tensor<2, dim>>(
                           hierarchy.finest().nonsmooth_nodes.size()),
                         active);

@@ -133,7 +133,7 @@ namespace
     std::vector<unsigned int> result;
     for (const double tau : taus)
       {
-        problem.hierarchy().combine(Newmark::operator_coefficients(tau));
+        problem.combine(Newmark::operator_coefficients(tau));
         const NodalVector rhs = Newmark::right_hand_side(problem, state, tau);
         for (const auto &[name, alpha] : states)
           {

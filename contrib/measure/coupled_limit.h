@@ -32,7 +32,7 @@ namespace Measure
     {
       const double tau = scene.time.initial_step;
       combine_time     = seconds(
-        [&]() { hierarchy.combine(Newmark::operator_coefficients(tau)); });
+        [&]() { problem.combine(Newmark::operator_coefficients(tau)); });
       active = hierarchy.finest().fixed;
       for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
         active.mask_node(p);
@@ -176,7 +176,7 @@ namespace Measure
       w = problem.make_vector();
       problem.to_jumps(w, acceleration);
       NodalVector force = w;
-      hierarchy.term(SpatialProblem<dim>::mass).vmult(force, w);
+      problem.term(SpatialProblem<dim>::mass).vmult(force, w);
       rhs = problem.load(tau);
       rhs += force;
       active.apply(rhs);

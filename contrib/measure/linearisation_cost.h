@@ -4,7 +4,7 @@
 #ifndef stickslip_contrib_linearisation_cost_h
 #define stickslip_contrib_linearisation_cost_h
 
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/time/spatial_problem.h>
 
 #include "measurement.h"
 
@@ -33,17 +33,19 @@ namespace Measure
 
   template <int dim>
   LinearisationCost
-  measure_linearisation(LevelHierarchy<dim>       &hierarchy,
+  measure_linearisation(SpatialProblem<dim>       &problem,
                         const std::vector<double> &coefficients)
   {
     constexpr unsigned int repetitions = 4;
     LinearisationCost      cost;
     std::vector<double>    others = coefficients;
-    others.front() *= 2.;
-    cost.new_coefficients = shortest(
+    for (double &coefficient : others)
+      coefficient *= 2.;
+    LevelHierarchy<dim> &hierarchy = problem.hierarchy();
+    cost.new_coefficients          = shortest(
       repetitions,
-      [&]() { hierarchy.combine(coefficients); },
-      [&]() { hierarchy.combine(others); });
+      [&]() { problem.combine(coefficients); },
+      [&]() { problem.combine(others); });
 
     // Curvatures of the size of the matrix; every second node is truncated, or
     // every other.

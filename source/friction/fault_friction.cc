@@ -94,7 +94,8 @@ namespace StickSlip
       {
         AssertIndexRange(law_indices[k], laws.size());
         Assert(weights[k] > 0., ExcMessage("The weights must be positive."));
-        terms[k].law = laws[law_indices[k]].get();
+        terms[k].law     = laws[law_indices[k]].get();
+        terms[k].damping = 0.;
       }
     set_normal_stresses(normal_stresses);
     set_state(std::vector<double>(nodes.size(), 0.));
@@ -129,6 +130,20 @@ namespace StickSlip
     this->normal_stresses = normal_stresses;
     for (unsigned int k = 0; k < terms.size(); ++k)
       terms[k].load = weights[k] * normal_stresses[k];
+  }
+
+
+
+  template <int dim>
+  void
+  FaultFriction<dim>::set_damping(const std::vector<double> &damping)
+  {
+    AssertDimension(damping.size(), terms.size());
+    for (unsigned int k = 0; k < terms.size(); ++k)
+      {
+        Assert(damping[k] >= 0., ExcMessage("Damping must not be negative."));
+        terms[k].damping = weights[k] * damping[k];
+      }
   }
 
 
@@ -203,8 +218,10 @@ namespace StickSlip
   FaultFriction<dim>::value(const unsigned int k, const Tensor<1, dim> &v) const
   {
     AssertIndexRange(k, terms.size());
-    const Term &term = terms[k];
-    return term.load * term.law->potential(slip_rate(v), term.data);
+    const Term  &term = terms[k];
+    const double V    = slip_rate(v);
+    return term.load * term.law->potential(V, term.data) +
+           0.5 * term.damping * V * V;
   }
 
 
@@ -223,9 +240,10 @@ namespace StickSlip
     const double             V    = magnitude(v_t);
     // Divide first, the product of two small numbers may underflow.
     const double change = (V == 0.) ? magnitude(d_t) : (v_t / V) * d_t;
-    return (change == 0.) ?
-             0. :
-             term.load * term.law->coefficient(V, term.data) * change;
+    return (change == 0.) ? 0. :
+                            (term.load * term.law->coefficient(V, term.data) +
+                             term.damping * V) *
+                              change;
   }
 
 
@@ -242,7 +260,8 @@ namespace StickSlip
     if (V == 0.)
       return result;
 
-    const double force = term.load * term.law->coefficient(V, term.data);
+    const double force =
+      term.load * term.law->coefficient(V, term.data) + term.damping * V;
     for (unsigned int i = 0; i < dim; ++i)
       if (i != normal_component<dim>)
         result[i] = force * (v[i] / V);
@@ -274,6 +293,7 @@ namespace StickSlip
     const double V    = slip_rate(v);
     if (V == 0. || term.load == 0.)
       return hessian(k, v);
+    // What is linear already takes no part in the chord.
     const double along = (tangential_part(v) / V) * tangential_part(force);
     return hessian_with(term,
                         v,
@@ -288,9 +308,13 @@ namespace StickSlip
                                    const Tensor<1, dim> &v,
                                    const double          slope)
   {
+    Tensor<2, dim> result;
+    for (unsigned int i = 0; i < dim; ++i)
+      if (i != normal_component<dim>)
+        result[i][i] = term.damping;
     // The derivatives of the law may be infinite.
     if (term.load == 0.)
-      return Tensor<2, dim>();
+      return result;
 
     const auto   bounded = [](const double x) { return std::min(x, 1e200); };
     const double V       = slip_rate(v);
@@ -300,13 +324,12 @@ namespace StickSlip
         radial :
         bounded(term.load * (term.law->coefficient(V, term.data) / V));
 
-    Tensor<2, dim> result;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         if (i != normal_component<dim> && j != normal_component<dim>)
           {
             const double tt = (V == 0.) ? 0. : (v[i] / V) * (v[j] / V);
-            result[i][j]    = radial * tt + across * ((i == j ? 1. : 0.) - tt);
+            result[i][j] += radial * tt + across * ((i == j ? 1. : 0.) - tt);
           }
     return result;
   }
@@ -359,6 +382,7 @@ namespace StickSlip
         r_t[i] -= transfer * r[n];
         for (unsigned int j = 0; j < dim - 1; ++j)
           A_t[i][j] = A[i][j] - transfer * A[n][j];
+        A_t[i][i] += term.damping;
       }
 
     minimise_tangential(

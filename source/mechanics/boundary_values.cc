@@ -32,6 +32,17 @@ namespace StickSlip
           dofs.push_back(i);
       return dofs;
     }
+
+
+
+    template <int dim>
+    bool
+    has_traction(const BoundaryCondition<dim> &condition)
+    {
+      return std::find(condition.type.begin(),
+                       condition.type.end(),
+                       BoundaryType::traction) != condition.type.end();
+    }
   } // namespace
 
 
@@ -69,7 +80,7 @@ namespace StickSlip
         const BodyMesh<dim>          &body    = *finest.bodies[side.body];
         const FaultSurface<dim>       surface = body.surface(condition.side);
         const std::vector<Point<dim>> points  = body.node_positions();
-        const auto dofs = driven_dofs(body, condition.side);
+        const auto                    dofs = driven_dofs(body, condition.side);
         for (unsigned int k = 0; k < dofs.size(); ++k)
           if (const auto node = finest.global_node(side.body, dofs[k]);
               finest.nodes.owned().is_element(node))
@@ -134,6 +145,17 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  BoundaryValues<dim>::has_tractions() const
+  {
+    return std::any_of(sides.begin(), sides.end(), [](const Side &side) {
+      return has_traction(side.condition);
+    });
+  }
+
+
+
+  template <int dim>
   void
   BoundaryValues<dim>::add_tractions(const double time, NodalVector &load)
   {
@@ -141,11 +163,7 @@ namespace StickSlip
     const IndexSet       &owned = level.nodes.owned();
     for (Side &side : sides)
       {
-        if (std::none_of(side.condition.type.begin(),
-                         side.condition.type.end(),
-                         [](const BoundaryType type) {
-                           return type == BoundaryType::traction;
-                         }))
+        if (!has_traction(side.condition))
           continue;
         const DoFHandler<dim> &dofs = level.bodies[side.body]->dof_handler();
         const double      ramp = smooth_ramp(time, side.condition.ramp_length);

@@ -18,8 +18,8 @@ namespace StickSlip
 
     /**
      * Call @p visit(body, FEValues, rows) on each cell of a body that deforms
-     * and that touches an owned node, with the nodes that its degrees of freedom
-     * are bound to.
+     * and that touches an owned node, with the nodes that its degrees of
+     * freedom are bound to.
      */
     template <int dim, typename Visitor>
     void
@@ -154,15 +154,22 @@ namespace StickSlip
   template <int dim>
   ElasticMatrices<dim>
   assemble_elastic_matrices(const MeshLevel<dim>        &level,
-                            const std::vector<Material> &materials)
+                            const std::vector<Material> &materials,
+                            const bool                   with_mass)
   {
-    const auto           sparsity = make_sparsity(level);
-    ElasticMatrices<dim> result{BlockMatrix<dim>(sparsity),
-                                BlockMatrix<dim>(sparsity),
-                                BlockMatrix<dim>(sparsity)};
+    const auto sparsity     = make_sparsity(level);
+    bool       with_damping = false;
+    for (unsigned int b = 0; b < materials.size(); ++b)
+      with_damping |= !level.bodies[b]->is_rigid() && materials[b].is_viscous();
+    ElasticMatrices<dim> result;
+    result.stiffness = BlockMatrix<dim>(sparsity);
+    if (with_mass)
+      result.mass = BlockMatrix<dim>(sparsity);
+    if (with_damping)
+      result.damping = BlockMatrix<dim>(sparsity);
     for_each_cell(
       level,
-      update_values | update_gradients,
+      (with_mass ? update_values : update_default) | update_gradients,
       [&](const unsigned int           body,
           const FEValues<dim>         &fe_values,
           const std::vector<LocalRow> &rows) {
@@ -198,10 +205,13 @@ namespace StickSlip
                   const double          JxW = fe_values.JxW(q);
                   const Tensor<1, dim> &gi  = fe_values.shape_grad(i, q);
                   const Tensor<1, dim> &gj  = fe_values.shape_grad(j, q);
-                  mass += material.density * fe_values.shape_value(i, q) *
-                          fe_values.shape_value(j, q) * JxW;
                   stiffness += JxW * isotropic_block(lambda, mu, gi, gj);
-                  damping += JxW * isotropic_block(viscous_lambda, eta, gi, gj);
+                  if (with_mass)
+                    mass += material.density * fe_values.shape_value(i, q) *
+                            fe_values.shape_value(j, q) * JxW;
+                  if (with_damping)
+                    damping +=
+                      JxW * isotropic_block(viscous_lambda, eta, gi, gj);
                 }
               if (!integrals.empty())
                 {
@@ -213,9 +223,11 @@ namespace StickSlip
               Tensor<2, dim> mass_block;
               for (unsigned int c = 0; c < dim; ++c)
                 mass_block[c][c] = mass;
-              add(result.mass, rows[i], rows[j], mass_block);
               add(result.stiffness, rows[i], rows[j], stiffness);
-              add(result.damping, rows[i], rows[j], damping);
+              if (with_mass)
+                add(result.mass, rows[i], rows[j], mass_block);
+              if (with_damping)
+                add(result.damping, rows[i], rows[j], damping);
             }
       });
     return result;
@@ -258,7 +270,7 @@ namespace StickSlip
 #define STICKSLIP_INSTANTIATE(dim)                                          \
   template struct ElasticMatrices<dim>;                                     \
   template ElasticMatrices<dim> assemble_elastic_matrices<dim>(             \
-    const MeshLevel<dim> &, const std::vector<Material> &);                 \
+    const MeshLevel<dim> &, const std::vector<Material> &, const bool);     \
   template NodalVector assemble_gravity<dim>(const MeshLevel<dim> &,        \
                                              const std::vector<Material> &, \
                                              const Tensor<1, dim> &);

@@ -4,6 +4,8 @@
 #include <stickslip/mechanics/material.h>
 #include <stickslip/parameters/entries.h>
 
+#include <cmath>
+
 namespace StickSlip
 {
   double
@@ -27,6 +29,22 @@ namespace StickSlip
   Material::bulk_modulus() const
   {
     return youngs_modulus / (3. * (1. - 2. * poissons_ratio));
+  }
+
+
+
+  double
+  Material::shear_impedance() const
+  {
+    return std::sqrt(density * shear_modulus());
+  }
+
+
+
+  bool
+  Material::is_viscous() const
+  {
+    return shear_viscosity > 0. || bulk_viscosity > 0.;
   }
 
 

@@ -87,9 +87,9 @@ namespace StickSlip
       GridTools::transform(
         [&geometry](const Point<dim> &point) {
           Point<dim> result = point;
-          result[dim - 1] =
-            geometry.base + (point[dim - 1] - geometry.base) *
-                              geometry.thickness_at(point) / geometry.thickness;
+          result[dim - 1]   = geometry.base + (point[dim - 1] - geometry.base) *
+                                              geometry.thickness_at(point) /
+                                              geometry.thickness;
           return result;
         },
         *mesh);

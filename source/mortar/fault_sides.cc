@@ -42,11 +42,11 @@ namespace StickSlip
     const bool lower_is_slave =
       level.bodies[lower + 1]->is_rigid() ? true :
       level.bodies[lower]->is_rigid()     ? false :
-      stiffness_ratio > 4.            ? true :
-      stiffness_ratio < 0.25          ? false :
-      is_less(size_below, size_above) ? true :
-      is_less(size_above, size_below) ? false :
-                                        is_less(1., stiffness_ratio);
+      stiffness_ratio > 4.                ? true :
+      stiffness_ratio < 0.25              ? false :
+      is_less(size_below, size_above)     ? true :
+      is_less(size_above, size_below)     ? false :
+                                            is_less(1., stiffness_ratio);
     if (lower_is_slave)
       return {lower, lower + 1, top, bottom};
     return {lower + 1, lower, bottom, top};

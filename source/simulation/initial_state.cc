@@ -25,6 +25,17 @@ namespace StickSlip
 
 
 
+    /** The slip rate of one side of a fault for a unit of traction that it
+     * radiates, m/(Pa s); a rigid body does not yield. */
+    template <int dim>
+    double
+    radiation_compliance(const BodyParameters<dim> &body)
+    {
+      return body.geometry.rigid ? 0. : 1. / body.material.shear_impedance();
+    }
+
+
+
     /** How much the weight of what lies above a point of fault @p f presses on
      * it, Pa. */
     template <int dim>
@@ -48,9 +59,10 @@ namespace StickSlip
   make_fault_laws(const SceneParameters<dim> &scene)
   {
     std::vector<FaultLaw> laws;
-    for (const FaultParameters &fault : scene.faults)
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        FaultLaw law;
+        const FaultParameters &fault = scene.faults[f];
+        FaultLaw               law;
         law.friction =
           std::make_shared<const RateAndStateLaw>(fault.rate_and_state,
                                                   fault.regularisation);
@@ -58,6 +70,10 @@ namespace StickSlip
         law.characteristic_slip = fault.rate_and_state.characteristic_slip;
         law.a                   = fault.rate_and_state.a;
         law.b                   = fault.rate_and_state.b;
+        if (scene.time.inertia == Inertia::quasi_dynamic)
+          law.radiation_damping =
+            1. / (radiation_compliance(scene.bodies[f]) +
+                  radiation_compliance(scene.bodies[f + 1]));
         laws.push_back(law);
       }
     return laws;
@@ -130,7 +146,8 @@ namespace StickSlip
     state.displacement = equilibrium.displacement;
     state.velocity     = equilibrium.displacement;
     state.velocity     = 0.;
-    state.acceleration = state.velocity;
+    if (scene.time.inertia == Inertia::dynamic)
+      state.acceleration = state.velocity;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
         FunctionParser<dim> theta;

@@ -56,6 +56,12 @@ namespace StickSlip
                   time.smallest_step,
                   "Largest step",
                   time.largest_step);
+      if (time.inertia != Inertia::dynamic &&
+          time.scheme == TimeScheme::generalised_alpha)
+        throw InputError(
+          naming("Time/Scheme", "generalised alpha") +
+          ": is for 'Time/Inertia' = 'dynamic'; without inertia there are no "
+          "oscillations to damp, and each step takes backward differences.");
       if (time.control == StepSizeControl::constant)
         return;
       check_order("Time",
@@ -113,14 +119,13 @@ namespace StickSlip
           if (geometry.upper_slope[axis] < 0)
             lowest[axis] = geometry.lateral_upper[axis];
           if (geometry.periodic[axis] && geometry.upper_slope[axis] != 0)
-            throw InputError(naming(path + "Upper slope",
-                                    geometry.upper_slope[axis]) +
-                             " along " + "xy"[axis] + ": must be 0, since '" +
-                             periodic_entry(axis) + "' = 'true'.");
+            throw InputError(
+              naming(path + "Upper slope", geometry.upper_slope[axis]) +
+              " along " + "xy"[axis] + ": must be 0, since '" +
+              periodic_entry(axis) + "' = 'true'.");
         }
       if (!(geometry.thickness_at(lowest) > 0))
-        throw InputError("'" + path +
-                         "Upper slope': leaves a thickness of " +
+        throw InputError("'" + path + "Upper slope': leaves a thickness of " +
                          shortest_form(geometry.thickness_at(lowest)) +
                          " m at the thin end; it must be greater than 0.");
     }
@@ -149,11 +154,13 @@ namespace StickSlip
           const BodyGeometry<dim> &geometry = bodies[i].geometry;
           const std::string        path     = "Bodies/" + bodies[i].name + "/";
           if (geometry.is_sloped() && i + 1 < bodies.size())
-            throw InputError("'" + path + "Upper slope': must be 0, since the "
+            throw InputError("'" + path +
+                             "Upper slope': must be 0, since the "
                              "fault above is level; only the highest body may "
                              "have a slope.");
           if (geometry.is_sloped() && geometry.rigid)
-            throw InputError("'" + path + "Upper slope': must be 0 for a body "
+            throw InputError("'" + path +
+                             "Upper slope': must be 0 for a body "
                              "with 'Rigid' = 'true'.");
           if (geometry.rigid && i > 0 && bodies[i - 1].geometry.rigid)
             throw InputError(naming(path + "Rigid", "true") + ": '" +
@@ -282,10 +289,10 @@ namespace StickSlip
           static const std::regex a_coordinate("\\b[xyz]\\b");
           if (condition.type[c] == BoundaryType::velocity &&
               std::regex_search(condition.expression[c], a_coordinate))
-            throw InputError(naming(path + axis + " value",
-                                    condition.expression[c]) +
-                             ": must not depend on the position, since the body "
-                             "is rigid.");
+            throw InputError(
+              naming(path + axis + " value", condition.expression[c]) +
+              ": must not depend on the position, since the body "
+              "is rigid.");
         }
     }
 

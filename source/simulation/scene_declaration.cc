@@ -161,14 +161,15 @@ namespace StickSlip
                scene.gravity,
                NumberRange().at_least(0),
                "Acceleration of gravity, downwards, in m/s^2.");
-    add_number(prm,
-               "Dip",
-               scene.dip,
-               NumberRange().above(-90).below(90),
-               "Angle by which the faults dip towards positive x, in degrees. "
-               "The axes of the scene stay along the faults: gravity has a part "
-               "g sin(dip) along x, and g cos(dip) presses the bodies "
-               "together.");
+    add_number(
+      prm,
+      "Dip",
+      scene.dip,
+      NumberRange().above(-90).below(90),
+      "Angle by which the faults dip towards positive x, in degrees. "
+      "The axes of the scene stay along the faults: gravity has a part "
+      "g sin(dip) along x, and g cos(dip) presses the bodies "
+      "together.");
     prm.leave_subsection();
 
     declare_section(prm, "Contact", scene.contact);

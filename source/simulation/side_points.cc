@@ -59,8 +59,8 @@ namespace StickSlip
     std::vector<Point<dim>> points = points_of_flat_brick(lower, upper, axis);
     for (Point<dim> &point : points)
       point[dim - 1] = base + (point[dim - 1] - base) *
-                                          body->geometry.thickness_at(point) /
-                                          body->geometry.thickness;
+                                body->geometry.thickness_at(point) /
+                                body->geometry.thickness;
     return points;
   }
 

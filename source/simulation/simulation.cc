@@ -8,6 +8,7 @@
 #include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/restraint.h>
 #include <stickslip/simulation/scene_checks.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/space_summary.h>
@@ -91,7 +92,11 @@ namespace StickSlip
     , boundary_values(mesh_hierarchy,
                       scene.boundary_conditions,
                       body_names(scene))
-    , problem(mesh_hierarchy, materials(scene), boundary_values, scene.gravity_vector())
+    , problem(mesh_hierarchy,
+              materials(scene),
+              boundary_values,
+              scene.gravity_vector(),
+              scene.time.inertia == Inertia::dynamic)
     , step_size_range(scene.time.end_time, 0.)
   {
     construction_timer.stop();
@@ -177,6 +182,7 @@ namespace StickSlip
       problem.hierarchy().finest().nodes,
       make_fault_laws(scene),
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
+    check_restraint(scene, faults);
     current       = make_initial_state(scene, basis, equilibrium);
     slip_at_build = current.slip;
     if (scene.output.energy_balance)
@@ -272,17 +278,23 @@ namespace StickSlip
     // The slip rates belong to the nodes of the fault and stay; the velocity of
     // the slave side follows from them and from the new partners. Nodes that
     // come into contact get the jump of the velocities as they are.
-    NodalVector w = problem.make_vector();
-    problem.to_jumps(w, current.velocity);
-    for (const unsigned int k : faults.owned_contact())
-      {
-        w.local_element(faults.node(k) * dim + dim - 1) = 0.;
-        if (before.in_contact(k))
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            w.local_element(faults.node(k) * dim + d) = current.slip_rate[k][d];
-      }
-    problem.to_nodal(current.velocity, w);
-    current.slip_rate = faults.tangential_jumps(w);
+    const auto follow = [&](NodalVector                     &velocity,
+                            std::vector<Tensor<1, dim - 1>> &slip_rate) {
+      NodalVector w = problem.make_vector();
+      problem.to_jumps(w, velocity);
+      for (const unsigned int k : faults.owned_contact())
+        {
+          w.local_element(faults.node(k) * dim + dim - 1) = 0.;
+          if (before.in_contact(k))
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              w.local_element(faults.node(k) * dim + d) = slip_rate[k][d];
+        }
+      problem.to_nodal(velocity, w);
+      slip_rate = faults.tangential_jumps(w);
+    };
+    follow(current.velocity, current.slip_rate);
+    if (current.mean_velocity.size() > 0)
+      follow(current.mean_velocity, current.mean_slip_rate);
     // That of nodes off contact means nothing any more.
     for (unsigned int k = 0; k < current.balancing_traction.size(); ++k)
       if (!faults.in_contact(k))
@@ -355,7 +367,7 @@ namespace StickSlip
                         nodes_in_tension);
 
     if (energy && problem.is_coupled())
-      summarise_energy(summary, *energy, current);
+      summarise_energy(summary, *energy, current, scene.time.inertia);
 
     summary.add("Wall time",
                 "Meshes and matrices",

@@ -14,7 +14,7 @@ namespace StickSlip
                                         const TimeParameters  &parameters,
                                         BoundaryValues<dim>   &loads)
     : StepSizeController<dim>(step, faults, parameters, loads)
-    , history(faults)
+    , history(faults, parameters.inertia)
   {}
 
 

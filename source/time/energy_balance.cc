@@ -6,28 +6,13 @@
 #include <stickslip/algebra/magnitude.h>
 #include <stickslip/time/energy_balance.h>
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace StickSlip
 {
   namespace
   {
-    template <int dim>
-    bool
-    has_viscosity(const SpatialProblem<dim> &problem)
-    {
-      const auto &values =
-        problem.hierarchy().term(SpatialProblem<dim>::damping).values();
-      const bool here = std::any_of(values.begin(),
-                                    values.end(),
-                                    [](const double x) { return x != 0.; });
-      return Utilities::MPI::max(
-               here ? 1 : 0,
-               problem.hierarchy().finest().nodes.communicator()) > 0;
-    }
-
-
-
     /** One component of one row of A x. */
     template <int dim>
     double
@@ -53,7 +38,7 @@ namespace StickSlip
   double
   EnergyTerms::gain() const
   {
-    return loads + driven_sides - viscosity - friction;
+    return loads + driven_sides - viscosity - friction - radiation;
   }
 
 
@@ -65,6 +50,7 @@ namespace StickSlip
     driven_sides += factor * other.driven_sides;
     viscosity += factor * other.viscosity;
     friction += factor * other.friction;
+    radiation += factor * other.radiation;
   }
 
 
@@ -75,7 +61,6 @@ namespace StickSlip
                                     const SystemState<dim> &start)
     : problem(problem)
     , faults(faults)
-    , is_viscous(has_viscosity(problem))
     , initial_energy(kinetic_energy(start) + elastic_energy(start))
   {
     reinit(start);
@@ -118,7 +103,9 @@ namespace StickSlip
   double
   EnergyBalance<dim>::kinetic_energy(const SystemState<dim> &state) const
   {
-    return quadratic_form(SpatialProblem<dim>::mass, state.velocity);
+    return problem.has(SpatialProblem<dim>::mass) ?
+             quadratic_form(SpatialProblem<dim>::mass, state.velocity) :
+             0.;
   }
 
 
@@ -146,27 +133,39 @@ namespace StickSlip
   EnergyTerms
   EnergyBalance<dim>::powers(const SystemState<dim> &state) const
   {
-    const LevelHierarchy<dim> &hierarchy = problem.hierarchy();
-    NodalVector v = problem.make_vector(), u = v, a = v, product = v;
+    NodalVector v = problem.make_vector(), u = v;
     problem.to_jumps(v, state.velocity);
     problem.to_jumps(u, state.displacement);
-    problem.to_jumps(a, state.acceleration);
     const NodalVector f = problem.load(state.time);
+
+    // What the terms of the equation are applied to.
+    std::vector<std::pair<const BlockMatrix<dim> *, const NodalVector *>>
+                forces;
+    NodalVector a;
+    if (problem.has(SpatialProblem<dim>::mass))
+      {
+        a = problem.make_vector();
+        problem.to_jumps(a, state.acceleration);
+        forces.emplace_back(&problem.term(SpatialProblem<dim>::mass), &a);
+      }
+    if (problem.has(SpatialProblem<dim>::damping))
+      forces.emplace_back(&problem.term(SpatialProblem<dim>::damping), &v);
+    forces.emplace_back(&problem.term(SpatialProblem<dim>::stiffness), &u);
 
     EnergyTerms result;
     result.loads = f * v;
-    if (is_viscous)
+    if (problem.has(SpatialProblem<dim>::damping))
       {
-        hierarchy.term(SpatialProblem<dim>::damping).vmult(product, v);
+        NodalVector product = problem.make_vector();
+        problem.term(SpatialProblem<dim>::damping).vmult(product, v);
         result.viscosity = product * v;
       }
 
     // Prescribed velocities are the only ones that are not zero where a
     // component is fixed.
-    const LevelDescription<dim>             &finest  = hierarchy.finest();
-    const std::array<const NodalVector *, 3> factors = {{&a, &v, &u}};
-    for (const NodalVector *factor : factors)
-      update_ghosts(*factor);
+    const LevelDescription<dim> &finest = problem.hierarchy().finest();
+    for (const auto &force : forces)
+      update_ghosts(*force.second);
     double driven = 0.;
     for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
@@ -175,8 +174,8 @@ namespace StickSlip
           if (finest.fixed.is_active(i, c) || velocity == 0.)
             continue;
           double force = -f.local_element(i * dim + c);
-          for (unsigned int k = 0; k < 3; ++k)
-            force += row_product(hierarchy.term(k), i, c, *factors[k]);
+          for (const auto &[matrix, factor] : forces)
+            force += row_product(*matrix, i, c, *factor);
           driven += force * velocity;
         }
     result.driven_sides =
@@ -188,9 +187,13 @@ namespace StickSlip
         const FrictionLaw &law = *faults.law(k).friction;
         const double       V   = magnitude(state.slip_rate[k]);
         if (faults.weights()[k] > 0. && V > 0.)
-          result.friction += faults.weights()[k] * faults.normal_stress()[k] *
-                             law.coefficient(V, law.node_data(state.alpha[k])) *
-                             V;
+          {
+            result.friction +=
+              faults.weights()[k] * faults.normal_stress()[k] *
+              law.coefficient(V, law.node_data(state.alpha[k])) * V;
+            result.radiation +=
+              faults.weights()[k] * faults.law(k).radiation_damping * V * V;
+          }
       }
     return result;
   }
@@ -199,12 +202,13 @@ namespace StickSlip
 
   template <int dim>
   double
-  EnergyBalance<dim>::quadratic_form(const unsigned int term,
-                                     const NodalVector &x) const
+  EnergyBalance<dim>::quadratic_form(
+    const typename SpatialProblem<dim>::Term term,
+    const NodalVector                       &x) const
   {
     NodalVector w = problem.make_vector(), product = w;
     problem.to_jumps(w, x);
-    problem.hierarchy().term(term).vmult(product, w);
+    problem.term(term).vmult(product, w);
     return 0.5 * (w * product);
   }
 

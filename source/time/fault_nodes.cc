@@ -71,6 +71,10 @@ namespace StickSlip
       friction_laws.push_back(law.friction);
     functional = std::make_unique<FaultFriction<dim>>(
       term_nodes, term_weights, term_stresses, friction_laws, law_indices);
+    std::vector<double> damping;
+    for (const unsigned int k : contact_positions)
+      damping.push_back(law(k).radiation_damping);
+    functional->set_damping(damping);
   }
 
 

@@ -57,7 +57,7 @@ namespace StickSlip
               alpha_f / (1. - alpha_f),
               from.acceleration);
     problem.to_jumps(w, nodal);
-    problem.hierarchy().term(SpatialProblem<dim>::mass).vmult(product, w);
+    problem.term(SpatialProblem<dim>::mass).vmult(product, w);
     rhs += product;
 
     nodal = from.displacement;
@@ -66,7 +66,7 @@ namespace StickSlip
               tau * tau * (0.5 - beta / gamma),
               a);
     problem.to_jumps(w, nodal);
-    problem.hierarchy().term(SpatialProblem<dim>::stiffness).vmult(product, w);
+    problem.term(SpatialProblem<dim>::stiffness).vmult(product, w);
     rhs -= product;
     return rhs;
   }

@@ -72,7 +72,7 @@ namespace StickSlip
 
     std::vector<double> coefficients(3, 0.);
     coefficients[SpatialProblem<dim>::stiffness] = 1.;
-    hierarchy.combine(coefficients);
+    problem.combine(coefficients);
     NodeMask stuck = finest.fixed;
     for (const unsigned int p : finest.nonsmooth_nodes)
       stuck.mask_node(p);

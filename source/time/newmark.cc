@@ -26,15 +26,13 @@ namespace StickSlip
 
       nodal.sadd(2. / tau, 1., from.acceleration);
       problem.to_jumps(w, nodal);
-      problem.hierarchy().term(SpatialProblem<dim>::mass).vmult(product, w);
+      problem.term(SpatialProblem<dim>::mass).vmult(product, w);
       rhs += product;
 
       nodal = from.displacement;
       nodal.add(tau / 2., from.velocity);
       problem.to_jumps(w, nodal);
-      problem.hierarchy()
-        .term(SpatialProblem<dim>::stiffness)
-        .vmult(product, w);
+      problem.term(SpatialProblem<dim>::stiffness).vmult(product, w);
       rhs -= product;
       return rhs;
     }

@@ -25,7 +25,7 @@ namespace StickSlip
     , time_parameters(time_parameters)
     , tnnmg_parameters(tnnmg_parameters)
     , generalised_alpha(time_parameters.spectral_radius)
-    , is_newmark(time_parameters.scheme == TimeScheme::newmark)
+    , formula(choose_formula(time_parameters))
   {
     reinit();
   }
@@ -53,11 +53,54 @@ namespace StickSlip
 
 
   template <int dim>
-  std::vector<double>
-  RateStateStep<dim>::operator_coefficients(const double tau) const
+  typename RateStateStep<dim>::Formula
+  RateStateStep<dim>::choose_formula(const TimeParameters &parameters)
   {
-    return is_newmark ? Newmark::operator_coefficients(tau) :
-                        generalised_alpha.operator_coefficients(tau);
+    if (parameters.inertia != Inertia::dynamic)
+      return Formula::backward_differences;
+    return parameters.scheme == TimeScheme::newmark ?
+             Formula::newmark :
+             Formula::generalised_alpha;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RateStateStep<dim>::operator_coefficients(const SystemState<dim> &from,
+                                            const double            tau) const
+  {
+    switch (formula)
+      {
+        case Formula::newmark:
+          return Newmark::operator_coefficients(tau);
+        case Formula::generalised_alpha:
+          return generalised_alpha.operator_coefficients(tau);
+        case Formula::backward_differences:
+          return BackwardDifferences::operator_coefficients(from, tau);
+      }
+    AssertThrow(false, ExcInternalError());
+    return {};
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  RateStateStep<dim>::right_hand_side(const SystemState<dim> &from,
+                                      const double            tau) const
+  {
+    switch (formula)
+      {
+        case Formula::newmark:
+          return Newmark::right_hand_side(problem, from, tau);
+        case Formula::generalised_alpha:
+          return generalised_alpha.right_hand_side(problem, from, tau);
+        case Formula::backward_differences:
+          return BackwardDifferences::right_hand_side(problem, from, tau);
+      }
+    AssertThrow(false, ExcInternalError());
+    return {};
   }
 
 
@@ -68,7 +111,12 @@ namespace StickSlip
                                const SystemState<dim> &from,
                                const double            tau) const
   {
-    if (is_newmark)
+    if (formula == Formula::backward_differences)
+      {
+        BackwardDifferences::complete(to, from, tau);
+        return;
+      }
+    if (formula == Formula::newmark)
       Newmark::complete(to, from, tau);
     else
       generalised_alpha.complete(to, from, tau);
@@ -136,9 +184,7 @@ namespace StickSlip
     StepCounts       &counts = result.counts;
     to.time                  = from.time + tau;
     to.alpha                 = prediction ? prediction->alpha : from.alpha;
-    const NodalVector rhs =
-      is_newmark ? Newmark::right_hand_side(problem, from, tau) :
-                   generalised_alpha.right_hand_side(problem, from, tau);
+    const NodalVector rhs    = right_hand_side(from, tau);
 
     // The unknown starts from the prediction, with what is prescribed.
     to.velocity = prediction ? prediction->velocity : from.velocity;
@@ -148,7 +194,7 @@ namespace StickSlip
     for (const unsigned int p : problem.hierarchy().finest().nonsmooth_nodes)
       w.local_element(p * dim + dim - 1) = 0.;
 
-    problem.hierarchy().combine(operator_coefficients(tau));
+    problem.combine(operator_coefficients(from, tau));
     try
       {
         solver->start(rhs, w);

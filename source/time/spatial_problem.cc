@@ -67,8 +67,9 @@ namespace StickSlip
   template <int dim>
   SpatialProblem<dim>::SpatialProblem(const MeshHierarchy<dim>    &meshes,
                                       const std::vector<Material> &materials,
-                                      BoundaryValues<dim> &boundary_values,
-                                      const Tensor<1, dim> &gravity)
+                                      BoundaryValues<dim>  &boundary_values,
+                                      const Tensor<1, dim> &gravity,
+                                      const bool            with_inertia)
     : mesh_hierarchy(meshes)
     , boundary(boundary_values)
   {
@@ -82,13 +83,53 @@ namespace StickSlip
       dirichlet_masks.push_back(boundary.dirichlet_mask(l));
 
     ElasticMatrices<dim> matrices =
-      assemble_elastic_matrices(finest, materials);
-    nodal_terms.push_back(std::move(matrices.mass));
-    nodal_terms.push_back(std::move(matrices.damping));
-    nodal_terms.push_back(std::move(matrices.stiffness));
-    gravity_load = assemble_gravity(finest, materials, gravity);
+      assemble_elastic_matrices(finest, materials, with_inertia);
+    const auto add = [&](const Term term, BlockMatrix<dim> &matrix) {
+      if (matrix.shared_sparsity() == nullptr)
+        return;
+      terms.push_back(term);
+      nodal_terms.push_back(std::move(matrix));
+    };
+    add(mass, matrices.mass);
+    add(damping, matrices.damping);
+    add(stiffness, matrices.stiffness);
+    if (gravity.norm_square() > 0.)
+      gravity_load = assemble_gravity(finest, materials, gravity);
 
     build_contact(finest.nodes.make_vector());
+  }
+
+
+
+  template <int dim>
+  bool
+  SpatialProblem<dim>::has(const Term term) const
+  {
+    return std::find(terms.begin(), terms.end(), term) != terms.end();
+  }
+
+
+
+  template <int dim>
+  const BlockMatrix<dim> &
+  SpatialProblem<dim>::term(const Term term) const
+  {
+    const auto position = std::find(terms.begin(), terms.end(), term);
+    AssertThrow(position != terms.end(),
+                ExcMessage("The equation has no such term."));
+    return levels->term(position - terms.begin());
+  }
+
+
+
+  template <int dim>
+  void
+  SpatialProblem<dim>::combine(const std::vector<double> &coefficients)
+  {
+    std::vector<double> present;
+    for (const Term term : terms)
+      present.push_back(coefficients[term]);
+    levels->combine(present);
   }
 
 
@@ -383,7 +424,10 @@ namespace StickSlip
   NodalVector
   SpatialProblem<dim>::load(const double time)
   {
-    NodalVector nodal = gravity_load;
+    const bool has_gravity = gravity_load.size() > 0;
+    if (!has_gravity && !boundary.has_tractions())
+      return make_vector();
+    NodalVector nodal = has_gravity ? gravity_load : make_nodal_vector();
     boundary.add_tractions(time, nodal);
     return to_dual(nodal);
   }

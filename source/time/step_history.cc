@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/algebra/magnitude.h>
+#include <stickslip/time/backward_differences.h>
 #include <stickslip/time/shear_traction.h>
 #include <stickslip/time/step_history.h>
 
@@ -11,8 +12,10 @@
 namespace StickSlip
 {
   template <int dim>
-  StepHistory<dim>::StepHistory(const FaultNodes<dim> &faults)
+  StepHistory<dim>::StepHistory(const FaultNodes<dim> &faults,
+                                const Inertia          inertia)
     : faults(faults)
+    , inertia(inertia)
   {}
 
 
@@ -131,7 +134,9 @@ namespace StickSlip
     const double h  = now.time - records[0].time;
     const double h1 = records[0].time - records[1].time;
     const double h2 = records[1].time - records[2].time;
-    const double c0 = h * h * h / 12.;
+    const double c0 = inertia == Inertia::dynamic ?
+                        h * h * h / 12. :
+                        BackwardDifferences::error_constant(h, h1);
     const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
     // Lagrange weights of the quadratic through the last three values.
     const double w0        = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));

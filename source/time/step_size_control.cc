@@ -104,6 +104,11 @@ namespace StickSlip
                 << "one allowed, Time/Smallest step = "
                 << parameters.smallest_step << " s, can be taken: " << reason
                 << ".";
+        if (parameters.inertia == Inertia::quasi_static)
+          message
+            << " With Time/Inertia = quasi-static slip rates can grow without "
+               "bound where a fault becomes unstable; with quasi-dynamic and "
+               "dynamic they do not.";
         throw StepSizeTooSmall(message.str());
       }
   }
@@ -125,7 +130,7 @@ namespace StickSlip
                    const TimeParameters  &parameters,
                    BoundaryValues<dim>   &loads)
         : StepSizeController<dim>(step, faults, parameters, loads)
-        , history(faults)
+        , history(faults, parameters.inertia)
       {}
 
       std::vector<StepResult<dim>>

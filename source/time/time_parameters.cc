@@ -69,6 +69,22 @@ namespace StickSlip
                "largest velocity and traction so far, without unit; for loads "
                "that depend on time, after the ramp. No step becomes shorter "
                "than the initial one for that. Not used by constant steps.");
+    add_choice(
+      prm,
+      "Inertia",
+      inertia,
+      {{Inertia::dynamic, "dynamic"},
+       {Inertia::quasi_dynamic, "quasi-dynamic"},
+       {Inertia::quasi_static, "quasi-static"}},
+      "What of the mass of the bodies counts: all of it, with waves "
+      "(dynamic); or nothing but a traction against the slip, eta V, "
+      "for the shear waves that a fault sends into the bodies, with "
+      "1/eta the sum of 1/sqrt(density times shear modulus) of both "
+      "sides (quasi-dynamic, Rice 1993); or nothing at all "
+      "(quasi-static). In the last case slip rates can grow without bound "
+      "once a fault has become unstable, and the run ends there with a "
+      "message. Without mass there is no matrix of it, and each step "
+      "takes backward differences of second order.");
     add_choice(prm,
                "Scheme",
                scheme,
@@ -77,7 +93,8 @@ namespace StickSlip
                "How displacement and velocity are advanced by a step: by "
                "Newmark's method, which damps nothing (Newmark), or by the "
                "generalised-alpha method, which damps oscillations that are "
-               "too fast for the step size. Both are of second order.");
+               "too fast for the step size. Both are of second order. For "
+               "Inertia = dynamic.");
     add_number(prm,
                "Spectral radius at infinity",
                spectral_radius,

@@ -87,6 +87,8 @@ namespace StickSlip
   void
   LevelHierarchy<dim>::combine(const std::vector<double> &coefficients)
   {
+    AssertThrow(coefficients.size() == terms.size(),
+                ExcDimensionMismatch(coefficients.size(), terms.size()));
     if (coefficients == current_coefficients)
       return;
     current_coefficients = coefficients;

@@ -21,11 +21,13 @@ namespace StickSlip
    * The friction of all faults, as a functional of the jumps of velocity at
    * the slave nodes:
    *
-   *   phi(v) = sum_p w_p sigma_n,p Phi_p(|v_t,p|; alpha_p),
+   *   phi(v) = sum_p w_p (sigma_n,p Phi_p(|v_t,p|; alpha_p)
+   *                       + 1/2 eta_p |v_t,p|^2),
    *
    * in W (per metre of thickness in two dimensions), where w_p is the integral
    * of the slave basis function (m^(d-1)), sigma_n the normal stress (Pa,
-   * compression positive), and Phi the potential of the friction law. Its
+   * compression positive), Phi the potential of the friction law, and eta a
+   * linear damping (Pa s/m), zero unless it is set. Its
    * negative gradient is the frictional force on the slave side.
    *
    * The first d - 1 components of a node are tangential, the last one is
@@ -68,6 +70,12 @@ namespace StickSlip
      */
     void
     set_normal_stresses(const std::vector<double> &normal_stresses);
+
+    /**
+     * Set the linear damping eta at each node, Pa s/m, none negative.
+     */
+    void
+    set_damping(const std::vector<double> &damping);
 
     /**
      * The state as last set.
@@ -122,8 +130,8 @@ namespace StickSlip
 
     /**
      * Phi'' t t^T + Phi'/V (I - t t^T) on the tangential part, where
-     * t = v_t / V, times w_p sigma_n. Entries beyond 1e200 are set to that
-     * value, which keeps products with zero out of trouble.
+     * t = v_t / V, times w_p sigma_n, and w_p eta. Entries beyond 1e200 are set
+     * to that value, which keeps products with zero out of trouble.
      */
     Tensor<2, dim>
     hessian(const unsigned int k, const Tensor<1, dim> &v) const override;
@@ -166,6 +174,8 @@ namespace StickSlip
       double data;
       /** w_p sigma_n,p. */
       double load;
+      /** w_p eta_p. */
+      double damping;
     };
 
     /** The second derivative, of which the @p slope of the law is one part. */

@@ -39,6 +39,10 @@ namespace StickSlip
     void
     set_velocities(const double time, NodalVector &velocity);
 
+    /** Whether tractions are prescribed anywhere. */
+    bool
+    has_tractions() const;
+
     /** Add the load of the prescribed tractions at @p time to owned nodes,
      * N. */
     void

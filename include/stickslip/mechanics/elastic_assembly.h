@@ -23,9 +23,10 @@ namespace StickSlip
   template <int dim>
   struct ElasticMatrices
   {
-    /** Consistent mass M, kg (per m in plane strain). */
+    /** Consistent mass M, kg (per m in plane strain); no matrix at all if it
+     * was not asked for. */
     BlockMatrix<dim> mass;
-    /** Viscous damping C, N s/m. */
+    /** Viscous damping C, N s/m; no matrix at all if no body is viscous. */
     BlockMatrix<dim> damping;
     /** Stiffness K, N/m. */
     BlockMatrix<dim> stiffness;
@@ -33,6 +34,7 @@ namespace StickSlip
 
   /**
    * Assemble the matrices; @p materials from the lowest body to the highest.
+   * That of the mass only @p with_mass.
    *
    * Where a material asks for the mean volumetric strain of the cell, that
    * takes the place of tr(eps) in the part of the stiffness and of the
@@ -42,7 +44,8 @@ namespace StickSlip
   template <int dim>
   ElasticMatrices<dim>
   assemble_elastic_matrices(const MeshLevel<dim>        &level,
-                            const std::vector<Material> &materials);
+                            const std::vector<Material> &materials,
+                            const bool                   with_mass = true);
 
   /**
    * The load vector of gravity, rho times its @p acceleration, m/s^2.

@@ -62,6 +62,14 @@ namespace StickSlip
     double
     bulk_modulus() const;
 
+    /** Impedance of shear waves sqrt(rho mu), Pa s/m. */
+    double
+    shear_impedance() const;
+
+    /** Whether there is any viscosity. */
+    bool
+    is_viscous() const;
+
     /** Declare the entries in the current subsection of @p prm. */
     void
     add_parameters(ParameterHandler &prm);

@@ -6,19 +6,21 @@
 
 #include <stickslip/output/run_summary.h>
 #include <stickslip/time/energy_balance.h>
+#include <stickslip/time/time_parameters.h>
 
 namespace StickSlip
 {
   /**
-   * Kinetic and elastic energy at @p state, the work since the start, and what
-   * is missing between them, in J, in two dimensions for 1 m of the third one.
-   * Collective.
+   * Kinetic and elastic energy at @p state, the work since the start, those of
+   * them that the model with this @p inertia has, and what is missing between
+   * them, in J, in two dimensions for 1 m of the third one. Collective.
    */
   template <int dim>
   void
   summarise_energy(RunSummary               &summary,
                    const EnergyBalance<dim> &energy,
-                   const SystemState<dim>   &state);
+                   const SystemState<dim>   &state,
+                   const Inertia             inertia);
 } // namespace StickSlip
 
 #endif

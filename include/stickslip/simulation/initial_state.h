@@ -11,7 +11,9 @@
 
 namespace StickSlip
 {
-  /** The laws of the scene's faults, from bottom to top. */
+  /** The laws of the scene's faults, from bottom to top; with the radiation
+   * damping of plane shear waves into both bodies (Rice 1993) if the scene is
+   * quasi-dynamic. */
   template <int dim>
   std::vector<FaultLaw>
   make_fault_laws(const SceneParameters<dim> &scene);

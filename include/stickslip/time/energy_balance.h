@@ -20,8 +20,9 @@ namespace StickSlip
     double loads = 0;
     /** Of the forces that prescribed velocities need. */
     double driven_sides = 0;
-    /** Dissipated by viscosity and by friction, positive. */
-    double viscosity = 0, friction = 0;
+    /** Dissipated by viscosity, by friction and by radiation damping,
+     * positive. */
+    double viscosity = 0, friction = 0, radiation = 0;
 
     /** What all of them add to the kinetic and elastic energy. */
     double
@@ -35,10 +36,11 @@ namespace StickSlip
   /**
    * Keeps account of the energy in a run. With the equation of motion
    *
-   *   M a + C v + K u + friction = f + forces at driven sides,
+   *   M a + C v + K u + friction + radiation = f + forces at driven sides,
    *
    * kinetic and elastic energy change by the work of the loads and of the
-   * driven sides less what viscosity and friction dissipate. Friction is taken
+   * driven sides less what viscosity, friction and radiation damping dissipate.
+   * Without inertia there is no kinetic energy. Friction is taken
    * from the law, not from the equation; its forces and all others are
    * integrated over time by the trapezoidal rule. The defect then is the error
    * of time stepping and solver as the energy sees it, of second order in the
@@ -86,11 +88,11 @@ namespace StickSlip
 
     /** 1/2 x . A x of nodal values and a term of the problem. */
     double
-    quadratic_form(const unsigned int term, const NodalVector &x) const;
+    quadratic_form(const typename SpatialProblem<dim>::Term term,
+                   const NodalVector                       &x) const;
 
     SpatialProblem<dim>   &problem;
     const FaultNodes<dim> &faults;
-    const bool             is_viscous;
     const double           initial_energy;
     double                 last_time;
     EnergyTerms            last_powers, total;

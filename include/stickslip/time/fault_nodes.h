@@ -21,6 +21,8 @@ namespace StickSlip
     double characteristic_slip = 0;
     /** Evolution and direct effect, b and a, for error estimates. */
     double b = 0, a = 0;
+    /** Radiation damping eta, Pa s/m: a traction eta V against the slip. */
+    double radiation_damping = 0;
   };
 
   /**

@@ -4,6 +4,7 @@
 #ifndef stickslip_time_rate_state_step_h
 #define stickslip_time_rate_state_step_h
 
+#include <stickslip/time/backward_differences.h>
 #include <stickslip/time/fault_nodes.h>
 #include <stickslip/time/generalised_alpha.h>
 #include <stickslip/time/newmark.h>
@@ -70,12 +71,27 @@ namespace StickSlip
             NodalVector            &w,
             const IterationSummary *before);
 
+    /** How displacements follow from velocities. */
+    enum class Formula
+    {
+      newmark,
+      generalised_alpha,
+      backward_differences
+    };
+
+    static Formula
+    choose_formula(const TimeParameters &parameters);
+
     /** Coefficients of mass, damping and stiffness in the operator. */
     std::vector<double>
-    operator_coefficients(const double tau) const;
+    operator_coefficients(const SystemState<dim> &from, const double tau) const;
 
-    /** Displacement, accelerations and slip of @p to, of which velocity and
-     * slip rates are known. */
+    /** The right hand side of the rate problem. */
+    NodalVector
+    right_hand_side(const SystemState<dim> &from, const double tau) const;
+
+    /** Displacement, slip, and accelerations or mean rates of @p to, of which
+     * velocity and slip rates are known. */
     void
     complete(SystemState<dim>       &to,
              const SystemState<dim> &from,
@@ -92,7 +108,7 @@ namespace StickSlip
     const TimeParameters                 &time_parameters;
     const TNNMGParameters                &tnnmg_parameters;
     const GeneralisedAlpha                generalised_alpha;
-    const bool                            is_newmark;
+    const Formula                         formula;
     std::unique_ptr<NonsmoothSolver<dim>> solver;
     StepCounts                            totals;
     unsigned long                         steps = 0;

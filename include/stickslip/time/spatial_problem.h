@@ -21,16 +21,17 @@ namespace StickSlip
    *   M u_tt + C u_t + K u + friction = f,
    *
    * in the jump basis that belongs to the current contact mapping, with the
-   * level hierarchy of M, C and K. Vectors of displacement, velocity and load
-   * are nodal; the hierarchy works on unknowns w of the jump basis, u = B w.
-   * Both have the same owned entries, and different ghosts; those of the jump
-   * basis change with the contact mapping.
+   * level hierarchy of those of M, C and K that are there: M only if inertia is
+   * asked for, C only if a body is viscous. Vectors of displacement, velocity
+   * and load are nodal; the hierarchy works on unknowns w of the jump basis,
+   * u = B w. Both have the same owned entries, and different ghosts; those of
+   * the jump basis change with the contact mapping.
    */
   template <int dim>
   class SpatialProblem
   {
   public:
-    /** Positions of the terms in the hierarchy. */
+    /** What the equation can have, in this order. */
     enum Term : unsigned int
     {
       mass      = 0,
@@ -39,11 +40,25 @@ namespace StickSlip
     };
 
     /** @p materials from the lowest body to the highest; @p gravity: its
-     * acceleration, m/s^2. */
+     * acceleration, m/s^2. Without inertia M is never assembled. */
     SpatialProblem(const MeshHierarchy<dim>    &meshes,
                    const std::vector<Material> &materials,
                    BoundaryValues<dim>         &boundary_values,
-                   const Tensor<1, dim>        &gravity);
+                   const Tensor<1, dim>        &gravity,
+                   const bool                   with_inertia = true);
+
+    /** Whether the equation has this term. */
+    bool
+    has(const Term term) const;
+
+    /** A term that it has, on the finest level in the jump basis. */
+    const BlockMatrix<dim> &
+    term(const Term term) const;
+
+    /** Set the operator to a combination of M, C and K; what the equation does
+     * not have is left out. Collective. */
+    void
+    combine(const std::vector<double> &coefficients);
 
     /**
      * Couple the faults as they are after a displacement, with everything that
@@ -123,10 +138,13 @@ namespace StickSlip
     rows_near_faults(const unsigned int                 l,
                      const std::vector<JumpBasis<dim>> &bases) const;
 
-    const MeshHierarchy<dim>             &mesh_hierarchy;
-    BoundaryValues<dim>                  &boundary;
-    std::vector<FaultSides>               sides;
-    std::vector<BlockMatrix<dim>>         nodal_terms;
+    const MeshHierarchy<dim> &mesh_hierarchy;
+    BoundaryValues<dim>      &boundary;
+    std::vector<FaultSides>   sides;
+    /** Those that are there, and where each of them is. */
+    std::vector<BlockMatrix<dim>> nodal_terms;
+    std::vector<Term>             terms;
+    /** Empty without gravity. */
     NodalVector                           gravity_load;
     std::vector<NodeMask>                 dirichlet_masks;
     std::unique_ptr<JumpBasis<dim>>       finest_basis;

@@ -19,8 +19,9 @@ namespace StickSlip
    *   Adams-Bashforth prediction from the last two state rates;
    * - traction: e = |m - extrapolated| / max(a, b) * c0 / (cc + c0), where m is
    *   the friction coefficient times the direction of the slip rate and times
-   *   the normal stress over its mean on the fault, c0 = h^3/12 and cc =
-   *   h (h + h1) (h + h1 + h2) / 6;
+   *   the normal stress over its mean on the fault, c0 is the error constant of
+   *   the step, h^3/12 with inertia and that of the backward differences
+   *   (backward_differences.h) without, and cc = h (h + h1) (h + h1 + h2) / 6;
    * - slip rate: e = |V - extrapolated| / max(the largest V of the fault, L/h)
    *   * c0 / (cc + c0).
    *
@@ -52,7 +53,8 @@ namespace StickSlip
       std::vector<bool> in_contact;
     };
 
-    StepHistory(const FaultNodes<dim> &faults);
+    StepHistory(const FaultNodes<dim> &faults,
+                const Inertia          inertia = Inertia::dynamic);
 
     bool
     is_empty() const;
@@ -87,6 +89,7 @@ namespace StickSlip
     state_errors(const Record &now) const;
 
     const FaultNodes<dim> &faults;
+    const Inertia          inertia;
     /** The newest first; three at most. */
     std::vector<Record> records;
   };

@@ -25,18 +25,26 @@ namespace StickSlip
     /** s */
     double time = 0;
 
-    /** m, m/s, m/s^2 */
+    /** m, m/s, m/s^2; the last one empty without inertia. */
     NodalVector displacement, velocity, acceleration;
 
     /** That of the generalised-alpha method, m/s^2; empty with any other, and
      * at the start. */
     NodalVector auxiliary_acceleration;
 
+    /** Without inertia: size of the step that has led here, s, and over it the
+     * mean of the velocity, m/s. Zero and empty at the start. */
+    double      last_step = 0;
+    NodalVector mean_velocity;
+
     /** ln(theta / 1 s) */
     std::vector<double> alpha;
 
     /** Accumulated slip, m, and slip rate, m/s. */
     std::vector<Tensor<1, dim - 1>> slip, slip_rate;
+
+    /** Of the slip rate over the last step, like mean_velocity. */
+    std::vector<Tensor<1, dim - 1>> mean_slip_rate;
 
     /** Shear traction that resists the slip at nodes that slip more slowly than
      * a number can say (shear_traction.h), Pa; empty if there are none. */

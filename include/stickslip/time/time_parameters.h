@@ -26,7 +26,20 @@ namespace StickSlip
   };
 
   /**
-   * How displacement and velocity are advanced by a step.
+   * What of the inertia of the bodies is part of the model.
+   */
+  enum class Inertia
+  {
+    /** All of it; the default. */
+    dynamic,
+    /** Only what waves that leave a fault take from it: radiation damping. */
+    quasi_dynamic,
+    /** Nothing. */
+    quasi_static
+  };
+
+  /**
+   * How displacement and velocity are advanced by a step with inertia.
    */
   enum class TimeScheme
   {
@@ -88,6 +101,8 @@ namespace StickSlip
 
     /** Error allowed in what loads do in a step, relative. */
     double loading_tolerance = 1e-4;
+
+    Inertia inertia = Inertia::dynamic;
 
     TimeScheme scheme = TimeScheme::newmark;
 

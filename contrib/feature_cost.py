@@ -1,0 +1,198 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Measure what each feature of the model costs, feature by feature.
+
+Usage: feature_cost.py [--program FILE] [--rounds N]
+
+Writes doc/data/feature_cost.csv and the tables between the marks in
+doc/feature_cost.md. The spring slider is run with one feature changed at a time:
+
+- on a mesh refined twice more, steps of one size; the CPU seconds for a step are
+  those of a long run less those of a short one, over the steps between. All
+  variants take turns, round after round, and of the rounds the median is taken,
+  of ratios to the run before as well: other programs disturb both alike;
+- on the published mesh to the end of the first event, with the default control.
+
+All runs are on one core. CPU seconds are those spent in the program (user time).
+"""
+
+import argparse
+import os
+import pathlib
+import statistics
+import subprocess
+import tempfile
+
+from measure import csv_file, page, programs, runs
+
+SECTION = "feature cost"
+PAGE = programs.PROJECT / "doc/feature_cost.md"
+DATA = programs.PROJECT / "doc/data/feature_cost.csv"
+COLUMNS = (
+    "variant step_s ratio hierarchy_MiB resident_MiB iterations cycles "
+    "event_steps event_iterations event_cycles event_s event_start_s"
+).split()
+
+MATERIALS = [f"Bodies/{body}/Material" for body in ("lower", "upper")]
+INVISCID = {
+    f"{material}/{kind} viscosity": 0
+    for material in MATERIALS
+    for kind in ("Shear", "Bulk")
+}
+PRESSED = {
+    "Faults/fault/Normal stress": "function",
+    "Faults/fault/Normal stress function": 49050,
+}
+# Everything that is not asked for is as in the shipped scene.
+VARIANTS = {
+    "default: dynamic, viscous, gravity": {},
+    "quasi-dynamic": {"Time/Inertia": "quasi-dynamic"},
+    "quasi-static": {"Time/Inertia": "quasi-static"},
+    "no viscosity": INVISCID,
+    "quasi-dynamic, no viscosity": INVISCID | {"Time/Inertia": "quasi-dynamic"},
+    "normal stress given": PRESSED,
+    "normal stress given, no gravity": PRESSED | {"Gravity/Acceleration": 0},
+    "contact stays (small slip)": {"Contact/Follow slip": "false"},
+    "no balance of energy": {"Output/Energy balance": "false"},
+    "no files of the bodies": {"Output/Write volume": "false"},
+}
+STEP, SHORT, LONG = 0.01, 20, 220
+REFINED = {
+    f"Bodies/{body}/Uniform refinements": 2 for body in ("lower", "upper")
+} | {"Time/Step size control": "constant", "Time/Largest step": STEP}
+
+
+def run(program, settings, folder):
+    """CPU seconds in the program, and what its summary says."""
+    output = pathlib.Path(folder) / "run"
+    command = [str(program), "parameters/spring_slider.prm"]
+    for entry, value in (settings | {"Output/Output directory": output}).items():
+        command += ["--set", f"{entry}={value}"]
+    process = subprocess.Popen(
+        command,
+        cwd=programs.PROJECT,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=os.environ | {"OMP_NUM_THREADS": "1"},
+    )
+    _, _, usage = os.wait4(process.pid, 0)
+    return usage.ru_utime, runs.results(output)
+
+
+def figure(results, key):
+    return float(results.get(key, "nan").split()[0])
+
+
+def measure_steps(program, n_rounds):
+    """One dictionary for each variant."""
+    seconds = {name: [] for name in VARIANTS}
+    rows = {name: {"variant": name} for name in VARIANTS}
+    for _ in range(n_rounds):
+        for name, settings in VARIANTS.items():
+            used = {}
+            for n in (SHORT, LONG):
+                with tempfile.TemporaryDirectory() as folder:
+                    used[n], results = run(
+                        program,
+                        REFINED | settings | {"Time/End time": n * STEP},
+                        folder,
+                    )
+            seconds[name].append((used[LONG] - used[SHORT]) / (LONG - SHORT))
+            rows[name] |= {
+                "hierarchy_MiB": figure(results, "Memory/level hierarchy"),
+                "resident_MiB": figure(results, "Memory/largest resident size"),
+                "iterations": figure(
+                    results, "Iterations/TNNMG, per accepted step"
+                ),
+                "cycles": figure(
+                    results, "Iterations/multigrid cycles, per accepted step"
+                ),
+            }
+            print(f"{name}: {seconds[name][-1]:.4f} s a step", flush=True)
+    first = next(iter(VARIANTS))
+    for name, row in rows.items():
+        row["step_s"] = statistics.median(seconds[name])
+        row["ratio"] = statistics.median(
+            own / other for own, other in zip(seconds[name], seconds[first])
+        )
+    return rows
+
+
+def measure_event(program, settings):
+    with tempfile.TemporaryDirectory() as folder:
+        used, results = run(program, settings | {"Time/End time": 23}, folder)
+    starts = results["events"].get("fault", [])
+    return {
+        "event_steps": figure(results, "Steps/accepted"),
+        "event_iterations": figure(results, "Iterations/TNNMG, all steps"),
+        "event_cycles": figure(results, "Iterations/multigrid cycles, all steps"),
+        "event_s": used,
+        "event_start_s": starts[0] if starts else "",
+    }
+
+
+def tables(rows):
+    steps = page.table(
+        [
+            "scene", "CPU seconds a step", "ratio", "levels, MiB",
+            "whole program, MiB", "TNNMG iterations", "cycles",
+        ],
+        [
+            [
+                row["variant"],
+                f"{float(row['step_s']):.3f}",
+                f"{float(row['ratio']):.2f}",
+                f"{float(row['hierarchy_MiB']):.1f}",
+                f"{float(row['resident_MiB']):.0f}",
+                f"{float(row['iterations']):.2f}",
+                f"{float(row['cycles']):.2f}",
+            ]
+            for row in rows
+        ],
+    )
+    event = page.table(
+        [
+            "scene", "first event begins, s", "steps", "TNNMG iterations",
+            "cycles", "CPU seconds",
+        ],
+        [
+            [
+                row["variant"],
+                row["event_start_s"] and f"{float(row['event_start_s']):.4f}" or "–",
+                f"{float(row['event_steps']):,.0f}",
+                f"{float(row['event_iterations']):,.0f}",
+                f"{float(row['event_cycles']):,.0f}",
+                f"{float(row['event_s']):.1f}",
+            ]
+            for row in rows
+        ],
+    )
+    return (
+        f"Steps of {STEP:g} s while the fault sticks, mesh refined twice more:\n\n"
+        f"{steps}\nPublished mesh, to t = 23 s:\n\n{event}"
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--program", type=pathlib.Path, default=programs.PROJECT / "build/stickslip"
+    )
+    parser.add_argument("--rounds", type=int, default=4)
+    arguments = parser.parse_args()
+    rows = measure_steps(arguments.program, arguments.rounds)
+    for name, settings in VARIANTS.items():
+        rows[name] |= measure_event(arguments.program, settings)
+        print(f"{name}: {rows[name]['event_s']:.1f} s", flush=True)
+    written = [
+        {c: page.rounded(row.get(c, "")) for c in COLUMNS} for row in rows.values()
+    ]
+    csv_file.write(DATA, COLUMNS, written)
+    page.replace_section(SECTION, tables(written), PAGE, "contrib/feature_cost.py")
+
+
+if __name__ == "__main__":
+    main()

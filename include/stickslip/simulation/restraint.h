@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_restraint_h
+#define stickslip_simulation_restraint_h
+
+#include <stickslip/simulation/scene_parameters.h>
+#include <stickslip/time/fault_nodes.h>
+
+namespace StickSlip
+{
+  /**
+   * Without inertia a body that no side holds along the faults is held by
+   * friction and radiation damping alone. Throws InputError if there is
+   * neither on a way to a body that is held: the velocity of such a body would
+   * not be determined.
+   */
+  template <int dim>
+  void
+  check_restraint(const SceneParameters<dim> &scene,
+                  const FaultNodes<dim>      &faults);
+} // namespace StickSlip
+
+#endif
