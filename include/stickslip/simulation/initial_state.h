@@ -11,10 +11,14 @@
 
 namespace StickSlip
 {
-  /** The laws of the scene's faults, from bottom to top. */
+  /**
+   * The friction laws of all slave nodes, from bottom to top. Nodes of a fault
+   * with the same parameters share one.
+   */
   template <int dim>
-  std::vector<FaultLaw>
-  make_fault_laws(const SceneParameters<dim> &scene);
+  NodeLaws
+  make_node_laws(const SceneParameters<dim> &scene,
+                 const JumpBasis<dim>       &basis);
 
   /**
    * The normal stress at all slave nodes from the source that each fault
