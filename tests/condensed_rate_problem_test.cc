@@ -117,7 +117,8 @@ namespace
       given);
 
     // The friction of each node from the formula.
-    const RateAndStateParameters         &law = scene.faults[0].rate_and_state;
+    const RateAndStateParameters law =
+      scene.faults[0].rate_and_state.constants();
     std::vector<Reference::FrictionCurve> curves;
     std::vector<double>                   start, weights, stresses, alpha;
     for (unsigned int k = 0; k < faults.size(); ++k)

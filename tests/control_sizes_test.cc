@@ -72,7 +72,7 @@ namespace
     scene.problem.build_contact(scene.problem.make_vector());
     scene.faults = FaultNodes<2>(scene.problem.jump_basis(),
                                  scene.problem.hierarchy().finest().nodes,
-                                 make_fault_laws(scene.scene),
+                                 scene.faults.laws(),
                                  scene.faults.normal_stress());
     scene.step->reinit();
   }

@@ -45,7 +45,9 @@ namespace
     {"--set 'Time/End time=0'", {"Time/End time", "'0'", "> 0"}},
     {"--set 'Time/End time=nan'", {"Time/End time", "'nan'", "> 0"}},
     {"--set 'Faults/fault/Initial state=x'",
-     {"Faults/fault/Initial state", "'x'", "greater than 0"}},
+     {"Faults/fault/Initial state", "'x'", "is -1 at (-1, 0) m", "> 0"}},
+    {"--set 'Faults/fault/b=table none.txt'",
+     {"Faults/fault/b", "'table none.txt'", "none.txt' does not exist"}},
     {"--set 'Gravity/Acceleration=0' "
      "--set 'Faults/fault/Normal stress=initial equilibrium'",
      {"Faults/fault/Normal stress", "nothing presses", "'function'"}},

@@ -281,10 +281,19 @@ TEST(SceneErrors, Expressions)
   // Negative at one end of the fault, which reaches from -1 to 2.5.
   expect_error(two_bodies,
                {"Faults/main/Initial state=x+0.5"},
-               {"'Faults/main/Initial state' = 'x+0.5'", "greater than 0"});
+               {"'Faults/main/Initial state' = 'x+0.5'",
+                "is -0.5 at (-1, 0) m",
+                "a number > 0"});
   expect_error(two_bodies,
                {"Faults/main/Normal stress function=-1"},
-               {"'Faults/main/Normal stress function' = '-1'", "at least 0"});
+               {"'Faults/main/Normal stress function' = '-1'",
+                "--set",
+                "a number >= 0, an expression in x, y (z), or table FILE"});
+  expect_error(two_bodies,
+               {"Faults/main/Normal stress function=-x"},
+               {"'Faults/main/Normal stress function' = '-x'",
+                "is -2.5 at (2.5, 0) m",
+                "a number >= 0"});
   expect_error(two_bodies,
                {"Boundary conditions/lower bottom/x value=1e-4"},
                {"'Boundary conditions/lower bottom/x value' = '1e-4'",

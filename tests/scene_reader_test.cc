@@ -58,13 +58,13 @@ TEST(SceneReader, SetsWhatTheFileSays)
 
   ASSERT_EQ(scene.faults.size(), 1u);
   EXPECT_EQ(scene.faults[0].name, "main");
-  EXPECT_EQ(scene.faults[0].rate_and_state.a, 0.01);
-  EXPECT_EQ(scene.faults[0].rate_and_state.b, 0.02);
+  EXPECT_EQ(scene.faults[0].rate_and_state.a.constant(), 0.01);
+  EXPECT_EQ(scene.faults[0].rate_and_state.b.constant(), 0.02);
   EXPECT_EQ(scene.faults[0].state_law, StateLaw::slip);
   EXPECT_EQ(scene.faults[0].regularisation, Regularisation::arcsinh);
-  EXPECT_EQ(scene.faults[0].initial_state, "3 + x^2");
+  EXPECT_EQ(scene.faults[0].initial_state.text(), "3 + x^2");
   EXPECT_EQ(scene.faults[0].normal_stress_source, NormalStressSource::function);
-  EXPECT_EQ(scene.faults[0].normal_stress, "1e4 * (3 + x)");
+  EXPECT_EQ(scene.faults[0].normal_stress.text(), "1e4 * (3 + x)");
 
   ASSERT_EQ(scene.boundary_conditions.size(), 2u);
   const BoundaryCondition<2> &top = scene.boundary_conditions[1];
@@ -102,7 +102,7 @@ TEST(SceneReader, WrittenParametersGiveTheSameScene)
     SceneReader(folder.file("again.prm")).read<2>();
   EXPECT_EQ(as_text(again), as_text(scene));
   EXPECT_EQ(again.bodies[1].material.density, 1e4 / 3);
-  EXPECT_EQ(again.faults[0].rate_and_state.a, 0.1 + 0.2);
+  EXPECT_EQ(again.faults[0].rate_and_state.a.constant(), 0.1 + 0.2);
   EXPECT_EQ(again.time.tolerance, 1e-4 / 7);
   EXPECT_EQ(again.bodies[0].geometry.lateral_lower[0], -2.0 / 3);
   EXPECT_EQ(again.tnnmg.max_iterations, 77u);
@@ -147,7 +147,7 @@ TEST(SceneReader, OverridesActAfterTheFile)
       .read<2>();
   EXPECT_EQ(scene.time.end_time, 4);
   EXPECT_EQ(scene.bodies[0].material.youngs_modulus, 5e7);
-  EXPECT_EQ(scene.faults[0].initial_state, "if(x==0, 1, 2)");
+  EXPECT_EQ(scene.faults[0].initial_state.text(), "if(x==0, 1, 2)");
   EXPECT_EQ(scene.output.directory, "a=b");
 
   // Names too can be overridden, here with a scene of one body in the end.
@@ -175,7 +175,7 @@ TEST(SceneReader, IncludedFilesAreFoundNextToTheFileAndMayBeOverridden)
                              "end\n"))
       .read<2>();
   EXPECT_EQ(scene.time.end_time, 8);
-  EXPECT_EQ(scene.faults[0].rate_and_state.b, 0.02);
+  EXPECT_EQ(scene.faults[0].rate_and_state.b.constant(), 0.02);
   EXPECT_EQ(scene.output.directory, "output/variant");
 }
 
@@ -189,14 +189,16 @@ TEST(SceneReader, TheSpringSliderIsThePublishedOne)
   EXPECT_EQ(scene.bodies[0].geometry.lower_corner(), Point<2>(-2.5, -1));
   EXPECT_EQ(scene.bodies[1].geometry.upper_corner(), Point<2>(2.5, 1));
   EXPECT_EQ(scene.bodies[1].geometry.refinement_passes, 4u);
-  EXPECT_EQ(scene.faults[0].rate_and_state.characteristic_slip, 2e-5);
+  EXPECT_EQ(scene.faults[0].rate_and_state.characteristic_slip.constant(),
+            2e-5);
   EXPECT_EQ(scene.time.end_time, 60);
   EXPECT_DOUBLE_EQ(event_start_slip_rate(scene), 4e-4);
 
   SceneParameters<2> printed =
     SceneReader(source_file("parameters/spring_slider_printed_L.prm"))
       .read<2>();
-  EXPECT_EQ(printed.faults[0].rate_and_state.characteristic_slip, 0.02);
+  EXPECT_EQ(printed.faults[0].rate_and_state.characteristic_slip.constant(),
+            0.02);
   printed.faults[0].rate_and_state.characteristic_slip = 2e-5;
   printed.output.directory                             = scene.output.directory;
   EXPECT_EQ(as_text(printed), as_text(scene));

@@ -49,7 +49,7 @@ namespace StickSlip::Tests
       unsigned int n_in_tension = 0;
       faults                    = FaultNodes<2>(problem.jump_basis(),
                              problem.hierarchy().finest().nodes,
-                             make_fault_laws(scene),
+                             make_node_laws(scene, problem.jump_basis()),
                              make_normal_stress(scene,
                                                 problem.jump_basis(),
                                                 equilibrium,

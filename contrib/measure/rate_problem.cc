@@ -68,7 +68,7 @@ namespace
       unsigned int n_in_tension = 0;
       faults                    = FaultNodes<dim>(problem.jump_basis(),
                                problem.hierarchy().finest().nodes,
-                               make_fault_laws(scene),
+                               make_node_laws(scene, problem.jump_basis()),
                                make_normal_stress(scene,
                                                   problem.jump_basis(),
                                                   equilibrium,
@@ -88,7 +88,7 @@ namespace
         {
           for (FaultParameters &fault : scene.faults)
             if (!state.second.empty())
-              fault.initial_state = state.second;
+              fault.initial_state.set(state.second);
           const SystemState<dim> initial =
             make_initial_state(scene, problem.jump_basis(), equilibrium);
           faults.set_state(initial.alpha);

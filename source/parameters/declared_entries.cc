@@ -5,6 +5,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <stickslip/parameters/declared_entries.h>
+#include <stickslip/parameters/field_pattern.h>
 
 #include <sstream>
 
@@ -22,6 +23,8 @@ namespace StickSlip
     {
       if (description == "[Anything]")
         return "any text";
+      if (FieldPattern::is_described_by(description))
+        return FieldPattern::in_words(description);
       const std::string selection = "[Selection ";
       if (description.rfind(selection, 0) != 0)
         return description;
@@ -52,8 +55,10 @@ namespace StickSlip
             entry.name          = name;
             entry.default_value = child.get<std::string>("default_value");
             entry.documentation = child.get<std::string>("documentation");
-            entry.allowed =
-              in_words(child.get<std::string>("pattern_description"));
+            const std::string pattern =
+              child.get<std::string>("pattern_description");
+            entry.allowed  = in_words(pattern);
+            entry.is_field = FieldPattern::is_described_by(pattern);
             entries.push_back(entry);
           }
         else

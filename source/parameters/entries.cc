@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/parameters/entries.h>
+#include <stickslip/parameters/field_pattern.h>
 
 namespace StickSlip
 {
@@ -16,6 +17,21 @@ namespace StickSlip
     prm.add_action(entry, [&value](const std::string &text) {
       value = NumberRange::values(text).front();
     });
+  }
+
+
+
+  void
+  add_field(ParameterHandler  &prm,
+            const std::string &entry,
+            SpatialField      &field,
+            const NumberRange &range,
+            const std::string &documentation)
+  {
+    field.describe(entry, range);
+    prm.declare_entry(entry, field.text(), FieldPattern(range), documentation);
+    prm.add_action(entry,
+                   [&field](const std::string &text) { field.set(text); });
   }
 
 

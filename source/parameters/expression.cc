@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <sstream>
 
 namespace StickSlip
@@ -64,6 +65,62 @@ namespace StickSlip
         }
       return false;
     }
+
+
+
+    template <int dim>
+    InputError
+    error(const std::string &mistake, const bool depends_on_time)
+    {
+      return InputError(mistake + " (it must be one expression in " +
+                        expression_variables<dim>(depends_on_time) + ")");
+    }
+
+
+
+    template <int dim>
+    std::shared_ptr<FunctionParser<dim>>
+    make_parser(const std::string &expression, const bool depends_on_time)
+    {
+      if (has_several_values(expression))
+        throw error<dim>("more than one value", depends_on_time);
+      if (expression.empty())
+        throw error<dim>("it is empty", depends_on_time);
+      const CaughtErrorStream error_stream;
+      try
+        {
+          auto parser = std::make_shared<FunctionParser<dim>>(1);
+          parser->initialize(expression_variables<dim>(depends_on_time),
+                             expression,
+                             expression_constants(),
+                             depends_on_time);
+          return parser;
+        }
+      catch (const std::exception &)
+        {
+          throw error<dim>(error_stream.message(), depends_on_time);
+        }
+    }
+
+
+
+    // The first value of a parser: most mistakes are found only now.
+    template <int dim>
+    double
+    first_value(const FunctionParser<dim> &parser,
+                const Point<dim>          &point,
+                const bool                 depends_on_time)
+    {
+      const CaughtErrorStream error_stream;
+      try
+        {
+          return parser.value(point);
+        }
+      catch (const std::exception &)
+        {
+          throw error<dim>(error_stream.message(), depends_on_time);
+        }
+    }
   } // namespace
 
 
@@ -87,39 +144,30 @@ namespace StickSlip
 
 
   template <int dim>
+  std::function<double(const Point<dim> &)>
+  read_expression(const std::string &expression)
+  {
+    const auto parser = make_parser<dim>(expression, false);
+    return [parser, is_read = false](const Point<dim> &point) mutable {
+      if (is_read)
+        return parser->value(point);
+      is_read = true;
+      return first_value(*parser, point, false);
+    };
+  }
+
+
+
+  template <int dim>
   double
   evaluate_expression(const std::string &expression,
                       const Point<dim>  &point,
                       const bool         depends_on_time,
                       const double       time)
   {
-    const std::string variables = expression_variables<dim>(depends_on_time);
-    const std::string rule =
-      " (it must be one expression in " + variables + ")";
-    if (has_several_values(expression))
-      throw InputError("more than one value" + rule);
-    if (expression.empty())
-      throw InputError("it is empty" + rule);
-
-    double value = 0;
-    {
-      CaughtErrorStream error_stream;
-      try
-        {
-          FunctionParser<dim> parser(1);
-          parser.initialize(variables,
-                            expression,
-                            expression_constants(),
-                            depends_on_time);
-          parser.set_time(time);
-          value = parser.value(point);
-        }
-      catch (const std::exception &)
-        {
-          throw InputError(error_stream.message() + rule);
-        }
-    }
-
+    const auto parser = make_parser<dim>(expression, depends_on_time);
+    parser->set_time(time);
+    const double value = first_value(*parser, point, depends_on_time);
     if (!std::isfinite(value))
       {
         std::string where;
@@ -139,6 +187,10 @@ namespace StickSlip
   expression_variables<2>(const bool);
   template std::string
   expression_variables<3>(const bool);
+  template std::function<double(const Point<2> &)>
+  read_expression<2>(const std::string &);
+  template std::function<double(const Point<3> &)>
+  read_expression<3>(const std::string &);
   template double
   evaluate_expression<2>(const std::string &,
                          const Point<2> &,

@@ -148,6 +148,8 @@ namespace StickSlip
       assignment.entry    = squeeze(rest.substr(0, equals));
       assignment.value    = Utilities::trim(rest.substr(equals + 1));
       assignment.origin   = here();
+      assignment.folder =
+        std::filesystem::path(file_name).parent_path().string();
 
       const auto [earlier, is_new] =
         line_of.emplace(assignment.path(), line_number);

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/function_parser.h>
-
-#include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/input_error.h>
 #include <stickslip/simulation/initial_state.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace StickSlip
 {
   namespace
   {
-    template <int dim>
-    void
-    initialize(FunctionParser<dim> &function, const std::string &expression)
-    {
-      function.initialize(expression_variables<dim>(false),
-                          expression,
-                          expression_constants());
-    }
-
-
-
     /** The slip rate of one side of a fault for a unit of traction that it
      * radiates, m/(Pa s); a rigid body does not yield. */
     template <int dim>
@@ -55,28 +43,43 @@ namespace StickSlip
 
 
   template <int dim>
-  std::vector<FaultLaw>
-  make_fault_laws(const SceneParameters<dim> &scene)
+  NodeLaws
+  make_node_laws(const SceneParameters<dim> &scene, const JumpBasis<dim> &basis)
   {
-    std::vector<FaultLaw> laws;
+    NodeLaws result;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        const FaultParameters &fault = scene.faults[f];
-        FaultLaw               law;
-        law.friction =
-          std::make_shared<const RateAndStateLaw>(fault.rate_and_state,
-                                                  fault.regularisation);
-        law.state_law           = fault.state_law;
-        law.characteristic_slip = fault.rate_and_state.characteristic_slip;
-        law.a                   = fault.rate_and_state.a;
-        law.b                   = fault.rate_and_state.b;
-        if (scene.time.inertia == Inertia::quasi_dynamic)
-          law.radiation_damping =
-            1. / (radiation_compliance(scene.bodies[f]) +
-                  radiation_compliance(scene.bodies[f + 1]));
-        laws.push_back(law);
+        const FaultParameters                        &fault = scene.faults[f];
+        std::map<std::array<double, 5>, unsigned int> known;
+        const double                                  radiation_damping =
+          scene.time.inertia == Inertia::quasi_dynamic ?
+                                             1. / (radiation_compliance(scene.bodies[f]) +
+                  radiation_compliance(scene.bodies[f + 1])) :
+                                             0.;
+        for (const RateAndStateParameters &p :
+             fault.rate_and_state.values(basis.faults()[f].slave_surface.points,
+                                         fault.section()))
+          {
+            const auto [place, is_new] =
+              known.emplace(std::array<double, 5>{{p.a,
+                                                   p.b,
+                                                   p.reference_friction,
+                                                   p.reference_slip_rate,
+                                                   p.characteristic_slip}},
+                            result.laws.size());
+            result.of_node.push_back(place->second);
+            if (is_new)
+              result.laws.push_back(
+                {std::make_shared<const RateAndStateLaw>(p,
+                                                         fault.regularisation),
+                 fault.state_law,
+                 p.characteristic_slip,
+                 p.b,
+                 p.a,
+                 radiation_damping});
+          }
       }
-    return laws;
+    return result;
   }
 
 
@@ -92,27 +95,21 @@ namespace StickSlip
     unsigned int        k      = 0;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        FunctionParser<dim> function;
-        initialize(function, scene.faults[f].normal_stress);
+        const FaultParameters         &fault = scene.faults[f];
+        const std::vector<Point<dim>> &points =
+          basis.faults()[f].slave_surface.points;
+        std::vector<double> given;
+        if (fault.normal_stress_source == NormalStressSource::lithostatic)
+          for (const Point<dim> &point : points)
+            given.push_back(weight_above(scene, f, point));
+        else if (fault.normal_stress_source == NormalStressSource::function)
+          given = fault.normal_stress.values(points, fault.section());
         const unsigned int first = k;
-        for (const Point<dim> &point : basis.faults()[f].slave_surface.points)
+        for (unsigned int i = 0; i < points.size(); ++i)
           {
-            if (scene.faults[f].normal_stress_source ==
-                NormalStressSource::lithostatic)
-              stress[k] = weight_above(scene, f, point);
-            else if (scene.faults[f].normal_stress_source ==
-                     NormalStressSource::function)
-              {
-                stress[k] = function.value(point);
-                if (!(stress[k] >= 0.))
-                  throw InputError(
-                    "Faults/" + scene.faults[f].name +
-                    "/Normal stress function = '" +
-                    scene.faults[f].normal_stress + "' is " +
-                    std::to_string(stress[k]) +
-                    " Pa at x = " + std::to_string(point[0]) +
-                    "; it must be at least 0 all along the fault.");
-              }
+            if (fault.normal_stress_source !=
+                NormalStressSource::initial_equilibrium)
+              stress[k] = given[i];
             if (stress[k] < 0.)
               {
                 stress[k] = 0.;
@@ -120,13 +117,12 @@ namespace StickSlip
               }
             ++k;
           }
-        if (scene.faults[f].normal_stress_source !=
-              NormalStressSource::function &&
+        if (fault.normal_stress_source != NormalStressSource::function &&
             std::none_of(stress.begin() + first,
                          stress.begin() + k,
                          [](const double sigma) { return sigma > 0.; }))
           throw InputError(
-            "Faults/" + scene.faults[f].name +
+            fault.section() +
             "/Normal stress: nothing presses this fault together; it must be "
             "'function', or there must be gravity or a boundary traction that "
             "does.");
@@ -149,23 +145,9 @@ namespace StickSlip
     if (scene.time.inertia == Inertia::dynamic)
       state.acceleration = state.velocity;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
-      {
-        FunctionParser<dim> theta;
-        initialize(theta, scene.faults[f].initial_state);
-        for (const Point<dim> &point : basis.faults()[f].slave_surface.points)
-          {
-            const double value = theta.value(point);
-            if (!(value > 0.) || !std::isfinite(value))
-              throw InputError("Faults/" + scene.faults[f].name +
-                               "/Initial state = '" +
-                               scene.faults[f].initial_state + "' is " +
-                               std::to_string(value) +
-                               " s at x = " + std::to_string(point[0]) +
-                               "; it must be greater than 0 all along the "
-                               "fault.");
-            state.alpha.push_back(std::log(value));
-          }
-      }
+      for (const double theta : scene.faults[f].initial_state.values(
+             basis.faults()[f].slave_surface.points, scene.faults[f].section()))
+        state.alpha.push_back(std::log(theta));
     state.slip.resize(state.alpha.size());
     state.slip_rate.resize(state.alpha.size());
     state.balancing_traction = equilibrium.shear_traction;
@@ -174,17 +156,17 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                      \
-  template std::vector<FaultLaw> make_fault_laws<dim>(  \
-    const SceneParameters<dim> &);                      \
-  template std::vector<double> make_normal_stress<dim>( \
-    const SceneParameters<dim> &,                       \
-    const JumpBasis<dim> &,                             \
-    const InitialEquilibrium<dim> &,                    \
-    unsigned int &);                                    \
-  template SystemState<dim> make_initial_state<dim>(    \
-    const SceneParameters<dim> &,                       \
-    const JumpBasis<dim> &,                             \
+#define STICKSLIP_INSTANTIATE(dim)                                               \
+  template NodeLaws            make_node_laws<dim>(const SceneParameters<dim> &, \
+                                        const JumpBasis<dim> &);      \
+  template std::vector<double> make_normal_stress<dim>(                          \
+    const SceneParameters<dim> &,                                                \
+    const JumpBasis<dim> &,                                                      \
+    const InitialEquilibrium<dim> &,                                             \
+    unsigned int &);                                                             \
+  template SystemState<dim> make_initial_state<dim>(                             \
+    const SceneParameters<dim> &,                                                \
+    const JumpBasis<dim> &,                                                      \
     const InitialEquilibrium<dim> &);
 
   STICKSLIP_INSTANTIATE(2)

@@ -204,35 +204,31 @@ namespace StickSlip
 
 
 
-    // A value at each point, with the entry named in the message.
+    // That there is a value at each point and time.
     template <int dim>
-    std::vector<double>
-    evaluate(const std::string             &path,
-             const std::string             &expression,
-             const std::vector<Point<dim>> &points,
-             const std::vector<double>     &times)
+    void
+    check_expression(const std::string             &path,
+                     const std::string             &expression,
+                     const std::vector<Point<dim>> &points,
+                     const std::vector<double>     &times)
     {
-      std::vector<double> values;
       try
         {
           for (const Point<dim> &point : points)
-            if (times.empty())
-              values.push_back(evaluate_expression(expression, point, false));
-            else
-              for (const double time : times)
-                values.push_back(
-                  evaluate_expression(expression, point, true, time));
+            for (const double time : times)
+              evaluate_expression(expression, point, true, time);
         }
       catch (const InputError &error)
         {
           throw InputError(naming(path, expression) +
                            ": cannot be used: " + error.what() + ".");
         }
-      return values;
     }
 
 
 
+    // Those of the fields are checked again at all nodes; this comes before the
+    // meshes are made.
     template <int dim>
     void
     check_faults(const SceneParameters<dim> &scene)
@@ -240,26 +236,12 @@ namespace StickSlip
       for (unsigned int i = 0; i < scene.faults.size(); ++i)
         {
           const FaultParameters &fault  = scene.faults[i];
-          const std::string      path   = "Faults/" + fault.name + "/";
           const auto             points = fault_points(scene.bodies[i].geometry,
                                            scene.bodies[i + 1].geometry);
-
-          const std::vector<double> states = evaluate<dim>(
-            path + "Initial state", fault.initial_state, points, {});
-          if (*std::min_element(states.begin(), states.end()) <= 0)
-            throw InputError(
-              naming(path + "Initial state", fault.initial_state) +
-              ": must be greater than 0 s on all of the fault.");
-
-          if (fault.normal_stress_source != NormalStressSource::function)
-            continue;
-          const std::vector<double> stresses = evaluate<dim>(
-            path + "Normal stress function", fault.normal_stress, points, {});
-          if (*std::min_element(stresses.begin(), stresses.end()) < 0)
-            throw InputError(
-              naming(path + "Normal stress function", fault.normal_stress) +
-              ": must be at least 0 Pa on all of the fault, compression is "
-              "positive.");
+          fault.rate_and_state.values(points, fault.section());
+          fault.initial_state.values(points, fault.section());
+          if (fault.normal_stress_source == NormalStressSource::function)
+            fault.normal_stress.values(points, fault.section());
         }
     }
 
@@ -332,12 +314,12 @@ namespace StickSlip
 
               if (type == BoundaryType::velocity ||
                   type == BoundaryType::traction)
-                evaluate<dim>(path + axis + " value",
-                              expression,
-                              side_points(scene, condition),
-                              {0.,
-                               0.5 * scene.time.end_time,
-                               scene.time.end_time});
+                check_expression(path + axis + " value",
+                                 expression,
+                                 side_points(scene, condition),
+                                 {0.,
+                                  0.5 * scene.time.end_time,
+                                  scene.time.end_time});
               else if (expression != "0")
                 throw InputError(
                   naming(path + axis + " value", expression) +

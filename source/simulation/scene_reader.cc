@@ -6,6 +6,7 @@
 #include <stickslip/parameters/declared_entries.h>
 #include <stickslip/parameters/input_error.h>
 #include <stickslip/parameters/name_list.h>
+#include <stickslip/parameters/spatial_field.h>
 #include <stickslip/simulation/scene_checks.h>
 #include <stickslip/simulation/scene_declaration.h>
 #include <stickslip/simulation/scene_reader.h>
@@ -86,12 +87,21 @@ namespace StickSlip
         prm.enter_subsection(section);
       try
         {
-          prm.set(assignment.entry, assignment.value);
+          prm.set(assignment.entry,
+                  declared->is_field ?
+                    SpatialField::with_absolute_path(assignment.value,
+                                                     assignment.folder) :
+                    assignment.value);
         }
       catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
           throw InputError(naming(assignment) + ": must be " +
                            declared->allowed + ".");
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(naming(assignment) +
+                           ": cannot be used: " + error.what());
         }
       for (unsigned int i = 0; i < assignment.sections.size(); ++i)
         prm.leave_subsection();

@@ -180,7 +180,7 @@ namespace StickSlip
     faults                      = FaultNodes<dim>(
       basis,
       problem.hierarchy().finest().nodes,
-      make_fault_laws(scene),
+      make_node_laws(scene, basis),
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
     check_restraint(scene, faults);
     current       = make_initial_state(scene, basis, equilibrium);
@@ -270,7 +270,7 @@ namespace StickSlip
     problem.build_contact(current.displacement);
     faults = FaultNodes<dim>(problem.jump_basis(),
                              problem.hierarchy().finest().nodes,
-                             make_fault_laws(scene),
+                             before.laws(),
                              before.normal_stress());
     rate_state_step->reinit();
     slip_at_build = current.slip;

@@ -9,16 +9,15 @@
 namespace StickSlip
 {
   template <int dim>
-  FaultNodes<dim>::FaultNodes(const JumpBasis<dim>        &basis,
-                              const NodePartition         &partition,
-                              const std::vector<FaultLaw> &laws,
-                              const std::vector<double>   &normal_stress)
-    : laws(laws)
+  FaultNodes<dim>::FaultNodes(const JumpBasis<dim>      &basis,
+                              const NodePartition       &partition,
+                              const NodeLaws            &laws,
+                              const std::vector<double> &normal_stress)
+    : node_laws(laws)
     , first{0}
     , partition(partition)
     , stresses(normal_stress)
   {
-    AssertDimension(laws.size(), basis.faults().size());
     for (unsigned int f = 0; f < basis.faults().size(); ++f)
       {
         const FaultContact<dim> &contact = basis.faults()[f];
@@ -32,6 +31,7 @@ namespace StickSlip
         first.push_back(nodes.size());
       }
     AssertDimension(normal_stress.size(), nodes.size());
+    AssertDimension(laws.of_node.size(), nodes.size());
 
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (active[k] && partition.owned().is_element(nodes[k]))
@@ -43,7 +43,7 @@ namespace StickSlip
               });
 
     relative_stresses.resize(nodes.size());
-    for (unsigned int f = 0; f < laws.size(); ++f)
+    for (unsigned int f = 0; f + 1 < first.size(); ++f)
       {
         double force = 0, area = 0;
         for (unsigned int k = first[f]; k < first[f + 1]; ++k)
@@ -63,11 +63,11 @@ namespace StickSlip
     for (const unsigned int k : contact_positions)
       {
         term_nodes.push_back(node(k));
-        law_indices.push_back(fault_of_node[k]);
+        law_indices.push_back(laws.of_node[k]);
         term_weights.push_back(node_weights[k]);
         term_stresses.push_back(stresses[k]);
       }
-    for (const FaultLaw &law : laws)
+    for (const FaultLaw &law : laws.laws)
       friction_laws.push_back(law.friction);
     functional = std::make_unique<FaultFriction<dim>>(
       term_nodes, term_weights, term_stresses, friction_laws, law_indices);
@@ -110,7 +110,16 @@ namespace StickSlip
   const FaultLaw &
   FaultNodes<dim>::law(const unsigned int k) const
   {
-    return laws[fault_of_node[k]];
+    return node_laws.laws[node_laws.of_node[k]];
+  }
+
+
+
+  template <int dim>
+  const NodeLaws &
+  FaultNodes<dim>::laws() const
+  {
+    return node_laws;
   }
 
 

@@ -6,7 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <stickslip/friction/rate_and_state.h>
+#include <stickslip/friction/rate_and_state_fields.h>
 #include <stickslip/friction/state_evolution.h>
 
 #include <string>
@@ -36,18 +36,22 @@ namespace StickSlip
     std::string name;
 
     /** a, b, mu0, V0, L. */
-    RateAndStateParameters rate_and_state;
-    Regularisation         regularisation = Regularisation::truncated;
-    StateLaw               state_law      = StateLaw::aging;
+    RateAndStateFields rate_and_state;
+    Regularisation     regularisation = Regularisation::truncated;
+    StateLaw           state_law      = StateLaw::aging;
 
-    /** Initial state theta, s: muParser expression in the position. */
-    std::string initial_state = "1";
+    /** Initial state theta, s. */
+    SpatialField initial_state = 1.;
 
     NormalStressSource normal_stress_source =
       NormalStressSource::initial_equilibrium;
 
-    /** Normal stress, Pa, compression positive: muParser expression. */
-    std::string normal_stress = "5e4";
+    /** Normal stress, Pa, compression positive. */
+    SpatialField normal_stress = 5e4;
+
+    /** The subsection of its entries, for messages. */
+    std::string
+    section() const;
 
     /** Declare the entries in the current subsection of @p prm. */
     void

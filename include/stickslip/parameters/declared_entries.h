@@ -27,6 +27,9 @@ namespace StickSlip
     /** What is allowed, in words. */
     std::string allowed;
 
+    /** Whether it sets a SpatialField. */
+    bool is_field = false;
+
     std::string documentation;
   };
 

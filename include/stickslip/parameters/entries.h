@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <stickslip/parameters/number_range.h>
+#include <stickslip/parameters/spatial_field.h>
 
 #include <array>
 #include <string>
@@ -32,6 +33,15 @@ namespace StickSlip
              double            &value,
              const NumberRange &range,
              const std::string &documentation);
+
+  /** Declare a parameter that may vary in space, with values in @p range
+   * everywhere. */
+  void
+  add_field(ParameterHandler  &prm,
+            const std::string &entry,
+            SpatialField      &field,
+            const NumberRange &range,
+            const std::string &documentation);
 
   /** Declare a whole number between @p smallest and @p largest. */
   void

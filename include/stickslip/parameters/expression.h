@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -22,6 +23,17 @@ namespace StickSlip
   /** The constants that an expression may use: pi. */
   std::map<std::string, double>
   expression_constants();
+
+  /**
+   * The function of position that a muParser expression in x, y (z) stands for.
+   * The expression is read once; values may be infinite or no numbers.
+   *
+   * Throws InputError saying why where the expression cannot be read, here or
+   * at the first evaluation.
+   */
+  template <int dim>
+  std::function<double(const Point<dim> &)>
+  read_expression(const std::string &expression);
 
   /**
    * The value of a muParser expression in x, y (z) at one point, and in t where

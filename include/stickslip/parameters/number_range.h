@@ -64,10 +64,13 @@ namespace StickSlip
     static std::vector<double>
     values(const std::string &text);
 
-  private:
+    /**
+     * Whether @p x is finite and between the bounds.
+     */
     bool
     contains(const double x) const;
 
+  private:
     double       lower          = -std::numeric_limits<double>::infinity();
     double       upper          = std::numeric_limits<double>::infinity();
     bool         lower_included = false;

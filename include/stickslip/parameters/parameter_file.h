@@ -23,6 +23,10 @@ namespace StickSlip
     /** Where it comes from, such as "a.prm, line 3" or "--set". */
     std::string origin;
 
+    /** The folder of the file it comes from, in which names of files that the
+     * value may have begin; empty for the current folder. */
+    std::string folder;
+
     /** Sections and entry joined by '/'. */
     std::string
     path() const;

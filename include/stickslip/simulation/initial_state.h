@@ -11,12 +11,15 @@
 
 namespace StickSlip
 {
-  /** The laws of the scene's faults, from bottom to top; with the radiation
-   * damping of plane shear waves into both bodies (Rice 1993) if the scene is
-   * quasi-dynamic. */
+  /**
+   * The friction laws of all slave nodes, from bottom to top. Nodes of a fault
+   * with the same parameters share one. With the radiation damping of plane
+   * shear waves into both bodies (Rice 1993) if the scene is quasi-dynamic.
+   */
   template <int dim>
-  std::vector<FaultLaw>
-  make_fault_laws(const SceneParameters<dim> &scene);
+  NodeLaws
+  make_node_laws(const SceneParameters<dim> &scene,
+                 const JumpBasis<dim>       &basis);
 
   /**
    * The normal stress at all slave nodes from the source that each fault

@@ -11,7 +11,8 @@
 namespace StickSlip
 {
   /**
-   * The friction of one fault.
+   * The friction of a fault, or of those of its nodes that have the same
+   * parameters.
    */
   struct FaultLaw
   {
@@ -26,10 +27,21 @@ namespace StickSlip
   };
 
   /**
+   * The friction of all slave nodes.
+   */
+  struct NodeLaws
+  {
+    /** Those that occur. */
+    std::vector<FaultLaw> laws;
+    /** For each slave node, the position of its law in laws. */
+    std::vector<unsigned int> of_node;
+  };
+
+  /**
    * The slave nodes of all faults in one row, fault after fault, each in the
-   * order of its surface. State, slip and normal stress are arrays over these
-   * nodes; they stay with the nodes when the contact mapping changes. Friction
-   * acts on those of them that are in contact.
+   * order of its surface. Law, state, slip and normal stress are arrays over
+   * these nodes; they stay with the nodes when the contact mapping changes.
+   * Friction acts on those of them that are in contact.
    *
    * Every process has the arrays of all slave nodes, and computes the same with
    * them: decisions that depend on them need no messages. The functional of
@@ -42,13 +54,13 @@ namespace StickSlip
     FaultNodes() = default;
 
     /**
-     * @p partition: of vectors of the jump basis; @p laws: one entry a fault;
-     * @p normal_stress: one entry a slave node, Pa.
+     * @p partition: of vectors of the jump basis; @p normal_stress: one entry a
+     * slave node, Pa.
      */
-    FaultNodes(const JumpBasis<dim>        &basis,
-               const NodePartition         &partition,
-               const std::vector<FaultLaw> &laws,
-               const std::vector<double>   &normal_stress);
+    FaultNodes(const JumpBasis<dim>      &basis,
+               const NodePartition       &partition,
+               const NodeLaws            &laws,
+               const std::vector<double> &normal_stress);
 
     /** Number of slave nodes of all faults. */
     unsigned int
@@ -64,6 +76,9 @@ namespace StickSlip
 
     const FaultLaw &
     law(const unsigned int k) const;
+
+    const NodeLaws &
+    laws() const;
 
     /** Local index in nodal vectors of a slave node that this process owns. */
     unsigned int
@@ -112,7 +127,7 @@ namespace StickSlip
     l2_norm(const std::vector<double> &values) const;
 
   private:
-    std::vector<FaultLaw>     laws;
+    NodeLaws                  node_laws;
     std::vector<unsigned int> first;
     std::vector<unsigned int> fault_of_node;
     NodePartition             partition;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_parameters_spatial_field_h
+#define stickslip_parameters_spatial_field_h
+
+#include <stickslip/parameters/grid_table.h>
+#include <stickslip/parameters/number_range.h>
+
+#include <memory>
+
+namespace StickSlip
+{
+  /**
+   * A parameter that may vary in space: a number; a muParser expression in the
+   * coordinates x, y (z), in m; or `table FILE`, the interpolation of a
+   * GridTable. A number costs no more than a number.
+   */
+  class SpatialField
+  {
+  public:
+    SpatialField(const double value = 0.);
+
+    /** Become a number; entry and range stay. */
+    SpatialField &
+    operator=(const double value);
+
+    /**
+     * Become what the text of a parameter file says. Throws InputError if it
+     * names a table that cannot be read; whether an expression can be read
+     * shows at the first evaluation.
+     */
+    void
+    set(const std::string &text);
+
+    /** The same field as a text. */
+    std::string
+    text() const;
+
+    /**
+     * Say by which entry of its subsection the field is set, and which values
+     * it may have. Any finite ones if this is never called.
+     */
+    void
+    describe(const std::string &entry, const NumberRange &range);
+
+    bool
+    is_constant() const;
+
+    /** The number; only where the field is constant. */
+    double
+    constant() const;
+
+    /**
+     * The field as a function of the position (m), for many evaluations.
+     *
+     * It throws InputError where the expression cannot be read or the value is
+     * out of range; the message names the entry in the subsection
+     * @p section, the position and the value. The function itself throws if
+     * the table depends on a coordinate that this dimension does not have.
+     */
+    template <int dim>
+    std::function<double(const Point<dim> &)>
+    function(const std::string &section) const;
+
+    /** The values at some points; throws as function() does. */
+    template <int dim>
+    std::vector<double>
+    values(const std::vector<Point<dim>> &points,
+           const std::string             &section) const;
+
+    /**
+     * The text of a field where the file of a table has an absolute path: a
+     * relative one begins in @p folder, or in the current one if that is
+     * empty. Any other text is returned as it is.
+     */
+    static std::string
+    with_absolute_path(const std::string &text, const std::string &folder);
+
+  private:
+    double                           number = 0;
+    std::string                      expression;
+    std::string                      table_file;
+    std::shared_ptr<const GridTable> table;
+
+    std::string entry;
+    NumberRange range;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/function_lib.h>
+
+#include <stickslip/parameters/grid_table.h>
+#include <stickslip/parameters/input_error.h>
+#include <stickslip/parameters/number_range.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    const std::string axis_names = "xyz";
+
+
+
+    struct Row
+    {
+      /** The coordinates in the order of the file; zero beyond them. */
+      std::array<double, 3> position = {};
+      double                value    = 0;
+      unsigned int          line     = 0;
+    };
+
+
+
+    /** What a file says, line by line. */
+    struct TableText
+    {
+      std::string               file_name;
+      std::vector<unsigned int> axes;
+      std::vector<Row>          rows;
+
+      explicit TableText(const std::string &file_name);
+
+      [[noreturn]] void
+      fail(const unsigned int line, const std::string &mistake) const
+      {
+        throw InputError(file_name + ", line " + std::to_string(line) + ": " +
+                         mistake + ".");
+      }
+
+      [[noreturn]] void
+      fail(const std::string &mistake) const
+      {
+        throw InputError(file_name + ": " + mistake + ".");
+      }
+
+      void
+      read_header(const std::vector<std::string> &words,
+                  const unsigned int              line);
+
+      void
+      read_row(const std::vector<std::string> &words, const unsigned int line);
+
+      /** For example "x = 1, y = 2". */
+      std::string
+      description(const std::array<double, 3> &position) const;
+    };
+
+
+
+    TableText::TableText(const std::string &name)
+      : file_name(name)
+    {
+      if (!std::filesystem::is_regular_file(file_name))
+        throw InputError("the table '" + file_name +
+                         "' does not exist or is not a file.");
+      std::ifstream file(file_name);
+      if (!file)
+        throw InputError("the table '" + file_name + "' cannot be read.");
+
+      unsigned int number = 0;
+      for (std::string line; std::getline(file, line);)
+        {
+          ++number;
+          std::istringstream       text(line.substr(0, line.find('#')));
+          std::vector<std::string> words;
+          for (std::string word; text >> word;)
+            words.push_back(word);
+          if (words.empty())
+            continue;
+          if (axes.empty())
+            read_header(words, number);
+          else
+            read_row(words, number);
+        }
+      if (rows.empty())
+        fail("there are no values; a line that names the coordinates, such as "
+             "'x y', must be followed by lines with these and a value");
+    }
+
+
+
+    void
+    TableText::read_header(const std::vector<std::string> &words,
+                           const unsigned int              line)
+    {
+      for (const std::string &word : words)
+        {
+          const std::size_t axis = axis_names.find(word);
+          if (word.size() != 1 || axis == std::string::npos)
+            fail(line,
+                 "'" + word +
+                   "' is no coordinate; the first line that is no comment must "
+                   "name those of the table, one to three of x, y and z");
+          if (std::find(axes.begin(), axes.end(), axis) != axes.end())
+            fail(line, "the coordinate " + word + " is named twice");
+          axes.push_back(axis);
+        }
+    }
+
+
+
+    void
+    TableText::read_row(const std::vector<std::string> &words,
+                        const unsigned int              line)
+    {
+      if (words.size() != axes.size() + 1)
+        {
+          std::string columns;
+          for (const unsigned int axis : axes)
+            columns += axis_names.substr(axis, 1) + " ";
+          fail(line,
+               "there are " + std::to_string(words.size()) +
+                 " columns, but must be " + std::to_string(axes.size() + 1) +
+                 ": " + columns + "and the value");
+        }
+
+      Row row;
+      row.line = line;
+      for (unsigned int i = 0; i < words.size(); ++i)
+        {
+          if (!NumberRange().match(words[i]))
+            fail(line, "'" + words[i] + "' is not a number");
+          const double number = NumberRange::values(words[i]).front();
+          (i < axes.size() ? row.position[i] : row.value) = number;
+        }
+      rows.push_back(row);
+    }
+
+
+
+    std::string
+    TableText::description(const std::array<double, 3> &position) const
+    {
+      std::string text;
+      for (unsigned int i = 0; i < axes.size(); ++i)
+        text += (i == 0 ? "" : ", ") + axis_names.substr(axes[i], 1) + " = " +
+                shortest_form(position[i]);
+      return text;
+    }
+
+
+
+    /** The different values of each coordinate, ascending. */
+    std::array<std::vector<double>, 3>
+    coordinates_of(const TableText &table)
+    {
+      std::array<std::vector<double>, 3> coordinates;
+      for (unsigned int i = 0; i < table.axes.size(); ++i)
+        {
+          std::vector<double> &values = coordinates[i];
+          for (const Row &row : table.rows)
+            values.push_back(row.position[i]);
+          std::sort(values.begin(), values.end());
+          values.erase(std::unique(values.begin(), values.end()), values.end());
+          if (values.size() < 2)
+            table.fail("there is only one value of " +
+                       axis_names.substr(table.axes[i], 1) +
+                       "; a table needs at least two of each coordinate");
+        }
+      return coordinates;
+    }
+
+
+
+    /** Put the rows into the order of the grid, the last coordinate fastest. */
+    void
+    sort_to_grid(TableText                                &table,
+                 const std::array<std::vector<double>, 3> &coordinates)
+    {
+      const auto is_before = [](const Row &a, const Row &b) {
+        return a.position < b.position;
+      };
+      std::stable_sort(table.rows.begin(), table.rows.end(), is_before);
+      for (unsigned int r = 0; r + 1 < table.rows.size(); ++r)
+        if (table.rows[r].position == table.rows[r + 1].position)
+          table.fail(table.rows[r + 1].line,
+                     "the value at " +
+                       table.description(table.rows[r].position) +
+                       " is given a second time, first in line " +
+                       std::to_string(table.rows[r].line));
+
+      // The grid may be far larger than the number of rows; the first gap ends
+      // the search.
+      const unsigned int n = table.axes.size();
+      std::size_t        r = 0;
+      for (std::array<std::size_t, 3> index = {};
+           index[0] < coordinates[0].size();
+           ++r)
+        {
+          std::array<double, 3> position = {};
+          for (unsigned int i = 0; i < n; ++i)
+            position[i] = coordinates[i][index[i]];
+          if (r == table.rows.size() || table.rows[r].position != position)
+            table.fail("there is no value at " + table.description(position) +
+                       "; there must be one at every combination of the "
+                       "coordinates");
+          ++index[n - 1];
+          for (unsigned int i = n - 1; i > 0; --i)
+            if (index[i] == coordinates[i].size())
+              {
+                index[i] = 0;
+                ++index[i - 1];
+              }
+        }
+    }
+
+
+
+    template <int n>
+    std::function<double(const std::array<double, 3> &)>
+    make_interpolation(const TableText                          &table,
+                       const std::array<std::vector<double>, 3> &coordinates)
+    {
+      std::array<std::vector<double>, n> grid;
+      TableIndices<n>                    sizes;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          grid[i]  = coordinates[i];
+          sizes[i] = coordinates[i].size();
+        }
+      std::vector<double> values;
+      for (const Row &row : table.rows)
+        values.push_back(row.value);
+      Table<n, double> data;
+      data.reinit(sizes);
+      data.fill(values.begin());
+
+      const auto function =
+        std::make_shared<const Functions::InterpolatedTensorProductGridData<n>>(
+          std::move(grid), std::move(data));
+      return [function](const std::array<double, 3> &position) {
+        Point<n> point;
+        for (unsigned int i = 0; i < n; ++i)
+          point[i] = position[i];
+        return function->value(point);
+      };
+    }
+  } // namespace
+
+
+
+  GridTable::GridTable(const std::string &file_name)
+  {
+    TableText  table(file_name);
+    const auto coordinates = coordinates_of(table);
+    sort_to_grid(table, coordinates);
+    column_axes = table.axes;
+    interpolation =
+      column_axes.size() == 1 ? make_interpolation<1>(table, coordinates) :
+      column_axes.size() == 2 ? make_interpolation<2>(table, coordinates) :
+                                make_interpolation<3>(table, coordinates);
+  }
+
+
+
+  const std::vector<unsigned int> &
+  GridTable::axes() const
+  {
+    return column_axes;
+  }
+
+
+
+  template <int dim>
+  double
+  GridTable::value(const Point<dim> &point) const
+  {
+    std::array<double, 3> position = {};
+    for (unsigned int i = 0; i < column_axes.size(); ++i)
+      {
+        AssertIndexRange(column_axes[i], dim);
+        position[i] = point[column_axes[i]];
+      }
+    return interpolation(position);
+  }
+
+
+
+  template double
+  GridTable::value(const Point<2> &) const;
+  template double
+  GridTable::value(const Point<3> &) const;
+} // namespace StickSlip

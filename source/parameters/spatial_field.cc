@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/utilities.h>
+
+#include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/input_error.h>
+#include <stickslip/parameters/spatial_field.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace StickSlip
+{
+  namespace
+  {
+    const std::string keyword = "table";
+
+
+
+    /** The file that follows the keyword, if that is the first word. */
+    std::optional<std::string>
+    file_of_table(const std::string &text)
+    {
+      if (text.substr(0, text.find_first_of(" \t")) != keyword)
+        return {};
+      return Utilities::trim(text.substr(keyword.size()));
+    }
+
+
+
+    /** The result of an action, whose errors know nothing of the entry. */
+    template <typename Action>
+    auto
+    with_name(const std::string &name, const Action &action)
+    {
+      try
+        {
+          return action();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(name + "cannot be used: " + error.what() + ".");
+        }
+    }
+
+
+
+    template <int dim>
+    std::string
+    position(const Point<dim> &point)
+    {
+      std::string text;
+      for (unsigned int d = 0; d < dim; ++d)
+        text += (d == 0 ? "(" : ", ") + shortest_form(point[d]);
+      return text + ") m";
+    }
+  } // namespace
+
+
+
+  SpatialField::SpatialField(const double value)
+    : number(value)
+  {}
+
+
+
+  SpatialField &
+  SpatialField::operator=(const double value)
+  {
+    number = value;
+    expression.clear();
+    table_file.clear();
+    table.reset();
+    return *this;
+  }
+
+
+
+  void
+  SpatialField::set(const std::string &text)
+  {
+    const std::string trimmed = Utilities::trim(text);
+    // A table is not read twice.
+    if (trimmed == this->text())
+      return;
+    if (NumberRange().match(trimmed))
+      *this = NumberRange::values(trimmed).front();
+    else if (const std::optional<std::string> file = file_of_table(trimmed))
+      {
+        if (file->empty())
+          throw InputError("'table' must be followed by the name of a file.");
+        const auto new_table = std::make_shared<const GridTable>(*file);
+        *this                = 0.;
+        table                = new_table;
+        table_file           = *file;
+      }
+    else
+      {
+        *this      = 0.;
+        expression = trimmed;
+      }
+  }
+
+
+
+  std::string
+  SpatialField::text() const
+  {
+    return table               ? keyword + " " + table_file :
+           !expression.empty() ? expression :
+                                 shortest_form(number);
+  }
+
+
+
+  void
+  SpatialField::describe(const std::string &new_entry,
+                         const NumberRange &new_range)
+  {
+    entry = new_entry;
+    range = new_range;
+  }
+
+
+
+  bool
+  SpatialField::is_constant() const
+  {
+    return !table && expression.empty();
+  }
+
+
+
+  double
+  SpatialField::constant() const
+  {
+    Assert(is_constant(), ExcMessage("The field varies: " + text()));
+    return number;
+  }
+
+
+
+  template <int dim>
+  std::function<double(const Point<dim> &)>
+  SpatialField::function(const std::string &section) const
+  {
+    const std::string name =
+      "'" + section + "/" + entry + "' = '" + text() + "': ";
+    std::function<double(const Point<dim> &)> unchecked;
+    if (table)
+      {
+        for (const unsigned int axis : table->axes())
+          if (axis >= dim)
+            throw InputError(name + "the table depends on z, but in two "
+                                    "dimensions there are only x and y.");
+        unchecked = [table = table](const Point<dim> &point) {
+          return table->value(point);
+        };
+      }
+    else if (!expression.empty())
+      unchecked =
+        with_name(name, [&]() { return read_expression<dim>(expression); });
+    else
+      unchecked = [number = number](const Point<dim> &) { return number; };
+
+    return [unchecked, name, range = range](const Point<dim> &point) {
+      const double value = with_name(name, [&]() { return unchecked(point); });
+      if (!range.contains(value))
+        throw InputError(name + "is " + shortest_form(value) + " at " +
+                         position(point) + ", but must be " +
+                         range.description() + " everywhere.");
+      return value;
+    };
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  SpatialField::values(const std::vector<Point<dim>> &points,
+                       const std::string             &section) const
+  {
+    const auto          value_at = function<dim>(section);
+    std::vector<double> values;
+    values.reserve(points.size());
+    for (const Point<dim> &point : points)
+      values.push_back(value_at(point));
+    return values;
+  }
+
+
+
+  std::string
+  SpatialField::with_absolute_path(const std::string &text,
+                                   const std::string &folder)
+  {
+    const std::optional<std::string> file = file_of_table(text);
+    if (!file || file->empty())
+      return text;
+    const std::filesystem::path path = std::filesystem::path(folder) / *file;
+    return keyword + " " +
+           std::filesystem::absolute(path).lexically_normal().string();
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                        \
+  template std::function<double(const Point<dim> &)>      \
+  SpatialField::function<dim>(const std::string &) const; \
+  template std::vector<double> SpatialField::values<dim>( \
+    const std::vector<Point<dim>> &, const std::string &) const;
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip
