@@ -23,6 +23,15 @@ namespace StickSlip
 
   template <int dim>
   void
+  MultigridCorrection<dim>::start()
+  {
+    n_solved = 0;
+  }
+
+
+
+  template <int dim>
+  void
   MultigridCorrection<dim>::linearise(
     const std::vector<Tensor<2, dim>> &hessians,
     const NodeMask                    &active)
@@ -39,9 +48,13 @@ namespace StickSlip
                                   NodalVector &A_x,
                                   NodalVector &r)
   {
+    const unsigned int n_cycles =
+      n_solved++ < parameters.single_cycle_corrections ?
+        1 :
+        parameters.cycles_per_correction;
     return cg.solve([&](NodalVector       &z,
                         const NodalVector &b) { hierarchy.v_cycle(z, b); },
-                    parameters.cycles_per_correction,
+                    n_cycles,
                     /*reduction=*/0.,
                     x,
                     A_x,

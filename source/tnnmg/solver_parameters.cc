@@ -15,7 +15,7 @@ namespace StickSlip
                NumberRange().above(0).below(1),
                "The iteration ends when the error, estimated from the last two "
                "corrections, is below this times the iterate, both in the "
-               "energy norm, without unit. A thousandth of Time/Tolerance adds "
+               "energy norm, without unit. A third of Time/Tolerance adds "
                "nothing to the error of the time steps.");
     add_count(prm,
               "Largest number of iterations",
@@ -59,7 +59,15 @@ namespace StickSlip
               1,
               1000,
               "Steps of conjugate gradients, each with one multigrid V-cycle, "
-              "in a linear correction.");
+              "in a linear correction after the first ones.");
+    add_count(prm,
+              "Single-cycle corrections",
+              single_cycle_corrections,
+              0,
+              1000,
+              "So many corrections of each problem take one multigrid V-cycle "
+              "only: a time step, which begins at its prediction, hardly needs "
+              "more, and from far away the first ones need not be exact.");
     add_count(prm,
               "Smoothing sweeps",
               smoothing_sweeps,

@@ -35,6 +35,7 @@ namespace StickSlip
   TNNMGSolver<dim>::start(const NodalVector &b, const NodalVector &w)
   {
     hierarchy.matrix().residual(residual, b, w);
+    linear_correction->start();
   }
 
 

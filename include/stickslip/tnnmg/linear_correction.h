@@ -27,6 +27,14 @@ namespace StickSlip
     virtual ~LinearCorrection() = default;
 
     /**
+     * Announce the first correction of a new problem. Iterations far from the
+     * solution or from a good prediction may then take less than later ones.
+     */
+    virtual void
+    start()
+    {}
+
+    /**
      * Set H, one block for each nonsmooth node of the finest level, and the
      * components that take part, of owned nodes (none of the fixed ones).
      * Throws SingularMatrix; A is as before then.

@@ -11,7 +11,8 @@ namespace StickSlip
 {
   /**
    * Some steps of conjugate gradients from zero, each preconditioned by one
-   * symmetric V-cycle of the hierarchy.
+   * symmetric V-cycle of the hierarchy; one step only in the first corrections
+   * of a problem.
    */
   template <int dim>
   class MultigridCorrection : public LinearCorrection<dim>
@@ -19,6 +20,9 @@ namespace StickSlip
   public:
     MultigridCorrection(LevelHierarchy<dim>   &hierarchy,
                         const TNNMGParameters &parameters);
+
+    void
+    start() override;
 
     void
     linearise(const std::vector<Tensor<2, dim>> &hessians,
@@ -31,6 +35,8 @@ namespace StickSlip
     LevelHierarchy<dim>   &hierarchy;
     const TNNMGParameters &parameters;
     LinearisedCG<dim>      cg;
+    /** Since start(). */
+    unsigned int n_solved = 0;
   };
 } // namespace StickSlip
 

@@ -37,7 +37,7 @@ namespace StickSlip
      * The iteration ends when the error, as IterationSummary::relative_error()
      * estimates it, is below this.
      */
-    double tolerance = 1e-7;
+    double tolerance = 1e-6;
 
     /** More iterations than this are a failure. */
     unsigned int max_iterations = 100;
@@ -53,6 +53,9 @@ namespace StickSlip
 
     /** Steps of CG, each with one V-cycle, in a linear correction. */
     unsigned int cycles_per_correction = 2;
+
+    /** The first corrections of a problem take one V-cycle each. */
+    unsigned int single_cycle_corrections = 3;
 
     /** Residual relative to the initial one, in the norm of the preconditioner,
      * at which CG with algebraic multigrid ends. */
