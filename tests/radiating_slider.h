@@ -56,7 +56,7 @@ namespace StickSlip::Tests
                                           ode::runge_kutta_dopri5<State>());
       const auto rhs     = [this](const State &x, State &dxdt, const double t) {
         const double V = slip_rate_for(x[0], x[1], t);
-        dxdt           = {{V, std::exp(-x[1]) - V / L}};
+        dxdt           = {{V, bounded_exp(-x[1]) - V / L}};
       };
       State  x{{0., initial_alpha}};
       double t = 0., h = 1e-6;
@@ -75,6 +75,14 @@ namespace StickSlip::Tests
     }
 
   private:
+    /** Attempts at a step that is far too long must end with numbers, to be
+     * rejected. */
+    static double
+    bounded_exp(const double x)
+    {
+      return std::exp(std::min(x, 50.));
+    }
+
     /** The solution of linear V + s asinh(V / (2 V_min)) = force. */
     static double
     slip_rate_arcsinh(const double force,
@@ -113,11 +121,11 @@ namespace StickSlip::Tests
         return 0.;
       if (is_arcsinh)
         return slip_rate_arcsinh(force, linear, s, std::exp(x_min));
+      if (linear == 0.)
+        return bounded_exp(x_min + force / s);
       // linear e^x + s (x - x_min) = force is convex and grows: Newton's method
       // goes down to its zero from above.
-      double x = x_min + force / s;
-      if (linear > 0.)
-        x = std::min(x, std::log(force / linear));
+      double x = std::min(x_min + force / s, std::log(force / linear));
       if (x <= x_min)
         return force / linear;
       for (unsigned int i = 0; i < 200; ++i)
