@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Tables and figures of the faults below the uppermost one."""
+
+import numpy as np
+from measure import page
+
+from . import drawings, inner, layers
+from .block import Block
+
+# s: a window with three events, to be drawn.
+WINDOW = (33.0, 40.0)
+# Vibrations with less of the response to slip are not listed.
+SMALLEST_SHARE = 5e-3
+# Waves are faster with less inertia.
+SCALES = {"light": 10.0}
+
+
+def first_event(run):
+    events = run.events(run.experiment.top_fault())["start"]
+    return float(events[0]) if len(events) else float("nan")
+
+
+def after_events(run, last):
+    """From where on oscillations are looked at: the first event, or the second half
+    of a run that has none."""
+    first = first_event(run)
+    return first if first < last - 2.0 else last / 2
+
+
+def varied_table(runs, last):
+    """What changes on the top fault and on the lower ones, run by run."""
+    default = runs["layered_default"].events("fault4")["start"]
+    rows = []
+    for run in runs.values():
+        events = run.events("fault4")["start"]
+        events = events[events < last]
+        shifts = 1e3 * (events[:3] - default[: len(events)][:3]) if len(default) else []
+        cells = [
+            short_title(run),
+            len(events),
+            ", ".join(f"{shift:.1f}" for shift in shifts) or "–",
+        ]
+        begin = after_events(run, last)
+        for fault in ("fault3", "fault2", "fault1"):
+            found = inner.slow_and_fast(run, fault, begin, last)
+            cells.append(
+                f"{found['median']:.1f}; {found['slow']:.2f}; {found['fast']:.3f}"
+            )
+        rows.append(cells)
+    return page.table(
+        (
+            "run", f"events of fault4 by {last:g} s", "shift of the first three, ms",
+            *(f"{f}: log10 V; slow; fast" for f in ("fault3", "fault2", "fault1")),
+        ),
+        rows,
+    )
+
+
+def block_table(run, results, first, last):
+    """The lower faults beside the friction law and the block."""
+    rows = []
+    for result in results:
+        steady = inner.distance_to_steady(run, result["fault"])
+        found = inner.agreement(result, first, last)
+        rows.append((
+            result["fault"],
+            f"{steady['largest']:.0e}",
+            f"{steady['healing']:.0e} %",
+            f"{inner.law_residual(run, result['fault']):.0e}",
+            f"{found['traction_offset']:.0f} ± {found['traction_deviation']:.0f}",
+            f"{found['rate_offset']:.2f} ± {found['rate_deviation']:.2f}",
+            f"{found['rate_range']:.2f}",
+            f"{found['correlation']:.3f}",
+        ))
+    return page.table(
+        (
+            "fault", "largest V theta / L", "state less initial state plus time",
+            "log10 V less the friction law at the nodes, at most",
+            "mean traction less that of the block, Pa",
+            "log10 V less that of the block", "range of log10 V",
+            "correlation",
+        ),
+        rows,
+    )
+
+
+def work_table(run):
+    rows = []
+    for fault in run.experiment.faults()[::-1]:
+        rows.append((fault, f"{inner.friction_work(run, fault):.2g}"))
+    return page.table(("fault", "work of friction, J/m"), rows)
+
+
+def frequency_table(runs, last, resonances):
+    """Peaks of the spectra of the tractions beside the resonances."""
+    names = {
+        "locked": "column, all faults locked",
+        "below": "column below the top fault, which slides freely",
+        "above": "column above it",
+    }
+    rows = [("block, all faults locked", listed(resonances))]
+    rows += [
+        (names[name], listed(values))
+        for name, values in layers.column_resonances().items()
+    ]
+    for name in ("layered_default", "tolerance", "fine", "light"):
+        if name not in runs:
+            continue
+        run, scale = runs[name], SCALES.get(name, 1.0)
+        for fault in run.experiment.faults()[::-1]:
+            found = inner.peaks(
+                *inner.spectrum(run, fault, after_events(run, last), last, scale),
+                least=scale * inner.SPLIT,
+            )
+            rows.append((f"{short_title(run)}: {fault}", listed(found)))
+    return page.table(("", "Hz"), rows)
+
+
+def listed(frequencies):
+    return ", ".join(f"{f:.1f}" for f in frequencies)
+
+
+def short_title(run):
+    return run.experiment.title.split("five bodies, ")[-1]
+
+
+def excited(model):
+    """Frequencies of the free vibrations that slip of the top fault excites, in Hz."""
+    frequency, share = model.vibrations()
+    return frequency[share > SMALLEST_SHARE]
+
+
+def spectra(runs, last):
+    """What drawings.spectra draws."""
+    return [
+        (
+            short_title(runs[name]),
+            SCALES.get(name, 1.0),
+            {
+                fault: inner.spectrum(
+                    runs[name], fault, after_events(runs[name], last), last,
+                    SCALES.get(name, 1.0),
+                )
+                for fault in runs[name].experiment.faults()[::-1]
+            },
+        )
+        for name in ("layered_default", "light")
+        if name in runs
+    ]
+
+
+def outcome(runs):
+    """Text, figures and data of the section."""
+    default = runs["layered_default"]
+    last = min(float(run.series()["time"][-1]) for run in runs.values())
+    first = after_events(default, last)
+    window = (min(WINDOW[0], 0.5 * last), min(WINDOW[1], last))
+    results = inner.compare_with_block(default, first, window[1])
+    resonances = excited(Block())
+    text = "\n".join((
+        block_table(default, results, first, window[1]),
+        varied_table(runs, last),
+        frequency_table(runs, last, resonances),
+        work_table(default),
+    ))
+    figures = {
+        "inner": lambda: drawings.inner(results, window),
+        "spectra": lambda: drawings.spectra(spectra(runs, last), resonances),
+    }
+    return text, figures, {"inner": window_rows(results, window)}
+
+
+def window_rows(results, window):
+    """What is drawn, every 20 ms."""
+    names = ("rate", "block_rate", "traction", "block_traction")
+    rows = []
+    for result in results:
+        inside = (result["time"] >= window[0]) & (result["time"] <= window[1])
+        for k in np.flatnonzero(inside)[::10]:
+            rows.append({
+                "fault": result["fault"],
+                "time_s": f"{result['time'][k]:.3f}",
+                **{name: f"{result[name][k]:.5g}" for name in names},
+            })
+    return rows
