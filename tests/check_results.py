@@ -82,7 +82,7 @@ def check_small_ones(ruptures, statistics):
     for start, end in zip(events["start"], events["end"]):
         rate[(time >= start) & (time <= end)] = 1e-2
     # A foreshock of the fourth, something between, and what is too slow to count.
-    for begin, largest in ((13.8, 4e-3), (15.0, 4e-3), (11.0, 1e-3)):
+    for begin, largest in ((13.8, 4e-3), (15.0, 4e-3), (11.0, 8e-4)):
         rate[(time > begin) & (time < begin + 0.05)] = largest
     found = ruptures.small_ones({"time": time, "fault.max_slip_rate": rate}, "fault", events)
     kinds = [(round(one["begin"], 1), one["kind"]) for one in found]

@@ -100,7 +100,7 @@ def node_edges(x):
     return np.concatenate(([x[0]], middle, [x[-1]]))
 
 
-def draw_map(figure, axes, history, limits, colours, bins=800):
+def draw_map(figure, axes, history, limits, colours, bins=800, bar=True):
     """Slip rate over time and position."""
     edges, rate = binned(history.time, history.rate(), limits, bins)
     image = axes.pcolormesh(
@@ -109,7 +109,8 @@ def draw_map(figure, axes, history, limits, colours, bins=800):
     )
     axes.set_ylabel("x [m]")
     axes.set_xlim(*limits)
-    figure.colorbar(image, ax=axes, pad=0.01, label="slip rate [m/s]")
+    if bar:
+        figure.colorbar(image, ax=axes, pad=0.01, label="slip rate [m/s]")
 
 
 def maps(slider, layered):
@@ -156,12 +157,12 @@ def steps(slider, layered):
     return figure
 
 
-def draw_event(figure, axes, run, fault, event, before, after):
+def draw_event(figure, axes, run, fault, event, before, after, bar):
     """One event with the times at which the front passes."""
     history = FaultHistory(run.history(), fault)
     start, end = event["start"], event["end"]
     limits = (start - before, end + after)
-    draw_map(figure, axes, history, limits, (1e-6, 3e-2), bins=500)
+    draw_map(figure, axes, history, limits, (1e-6, 3e-2), 500, bar)
     passage = ruptures.first_passage(
         history, history.rate(), limits[0], end, ruptures.FRONT_RATE
     )
@@ -190,18 +191,23 @@ def node_rates(axes, run, fault, limits):
 def events(chosen):
     """Chosen events in space and time, and the rates from one event to the next:
     chosen holds (title, run, fault, index of the event)."""
-    figure, panels = new_figure(3, len(chosen), height=9.0, squeeze=False)
+    figure, panels = new_figure(3, len(chosen), height=8.5, squeeze=False)
+    figure.set_figwidth(3.7 * len(chosen))
     for column, (name, run, fault, index) in zip(panels.T, chosen):
         all_events = run.events(fault)
         event = {key: values[index] for key, values in all_events.items()}
-        draw_event(figure, column[0], run, fault, event, 0.15, 0.05)
+        last = column[0] is panels[0][-1]
+        draw_event(figure, column[0], run, fault, event, 0.15, 0.05, last)
         title(column[0], f"{name}, event {index + 1}")
-        draw_event(figure, column[1], run, fault, event, 1.0, 0.8)
+        draw_event(figure, column[1], run, fault, event, 1.0, 0.8, last)
         title(column[1], "before and after it")
         limits = cycle_limits(all_events, index)
         node_rates(column[2], run, fault, limits)
         title(column[2], "from the event before to the one after")
-    panels[2][0].legend(loc="upper center", ncol=3, fontsize=7)
+    for row in panels:
+        for axes in row[1:]:
+            axes.set_ylabel("")
+    panels[2][-1].legend(loc="upper center", fontsize=7)
     return figure
 
 

@@ -15,6 +15,8 @@ STEP, QUIET_STEP, BLOCK_STEP = 1e-3, 0.02, 2e-3
 LARGEST_FREQUENCY = 45.0
 # Between the events, 0.4 Hz, and the slowest vibration of the layers, 9 Hz.
 SPLIT = 4.0
+# s: around events.
+MARGIN = 0.5
 
 
 def resampled(series, name, time):
@@ -105,6 +107,8 @@ def law_residual(run, fault):
     chosen = (history.time[:, None] > 1.0) & (traction > 0.05 * stress)
     with np.errstate(divide="ignore"):
         computed = np.log(history.rate())
+    if not chosen.any():
+        return float("nan")
     return float(np.abs(computed - expected)[chosen].max() / np.log(10))
 
 
@@ -114,7 +118,7 @@ def spectrum(run, fault, first, last, scale=1.0):
     series = run.series()
     time = np.arange(first, last, STEP)
     values = resampled(series, f"{fault}.mean_shear_traction", time)
-    length = min(len(time), round(4.0 / STEP))
+    length = min(len(time), round(4.0 / scale / STEP))
     frequency, power = welch(values, fs=1 / STEP, nperseg=length, detrend="linear")
     chosen = frequency <= scale * LARGEST_FREQUENCY
     return frequency[chosen], power[chosen]
@@ -133,20 +137,22 @@ def peaks(frequency, power, least=SPLIT, count=6):
 def slow_and_fast(run, fault, first, last):
     """log10 of a fault's mean slip rate in two parts: what varies with the events of
     the top fault, as the difference of its 5 and 95 % quantiles, and what varies
-    faster than SPLIT, as standard deviation; both in decades."""
+    faster than SPLIT, as standard deviation between the events; both in decades."""
     series = run.series()
     time = np.arange(first, last, STEP)
     rate = np.maximum(series[f"{fault}.mean_slip_rate"], 1e-300)
     values = np.interp(time, series["time"], np.log10(rate))
     filters = butter(4, SPLIT, "highpass", fs=1 / STEP, output="sos")
     fast = sosfiltfilt(filters, values)
-    # What the filter makes of the ends is left out.
-    inner = slice(round(0.5 / STEP), -round(0.5 / STEP))
-    slow = (values - fast)[inner]
+    # Left out is what the filter makes of the ends and of the drops in events.
+    quiet = (time > first + MARGIN) & (time < last - MARGIN)
+    events = run.events(run.experiment.top_fault())
+    for start, end in zip(events["start"], events["end"]):
+        quiet &= (time < start - MARGIN) | (time > end + MARGIN)
     return {
         "median": float(np.median(values)),
-        "slow": float(np.diff(np.quantile(slow, (0.05, 0.95)))[0]),
-        "fast": float(np.std(fast[inner])),
+        "slow": float(np.diff(np.quantile(values - fast, (0.05, 0.95)))[0]),
+        "fast": float(np.std(fast[quiet])) if quiet.any() else float("nan"),
     }
 
 

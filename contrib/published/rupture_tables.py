@@ -5,7 +5,7 @@
 import numpy as np
 from measure import page
 
-from . import ruptures, statistics
+from . import ruptures
 from .history import FaultHistory
 
 # s: how long before its start an event is looked for, at most half an interval.
@@ -25,6 +25,7 @@ def describe_all(run):
         end = end if np.isfinite(end) else history.time[-1]
         row = ruptures.describe(history, rates, start, end, before)
         row["peak"] = events["peak_mean_slip_rate"][k]
+        row["bursts"] = ruptures.peaks_within(run.series(), fault, start, end)
         rows.append(row)
     return rows
 
@@ -67,7 +68,9 @@ QUANTITIES = (
      lambda rows, _: spread(values(rows, "reached"))),
     ("events whose zone has grown to both sides of its first node, by 0.2 m at least",
      lambda rows, _: f"{both_sides(rows)} of {len(rows)}"),
-    ("foreshocks, aftershocks, others",
+    ("events of several bursts; of these, with the largest not the first",
+     lambda rows, _: several(rows)),
+    ("foreshocks, aftershocks, others apart from events",
      lambda _, bursts: ", ".join(
          str(sum(b["kind"] == kind for b in bursts))
          for kind in ("foreshock", "aftershock", "between"))),
@@ -84,6 +87,11 @@ def both_sides(rows):
         for row in rows
         if "zone_left" in row
     )
+
+
+def several(rows):
+    own = [row["bursts"] for row in rows if len(row["bursts"]) > 1]
+    return f"{len(own)}; {sum(max(peaks) > peaks[0] for peaks in own)}"
 
 
 def text(runs):
@@ -108,15 +116,17 @@ def text(runs):
 
 
 def examples(runs):
-    """A large event of each experiment to be drawn: the one in the middle."""
-    chosen = []
-    for name, title in (
-        ("slider_published", "Spring slider"), ("layered_published", "Five bodies")
-    ):
-        run = runs[name]
+    """Events to be drawn, as (title, run, fault, index): the spring slider's with the
+    highest slip rate, and of each experiment the first with an aftershock."""
+    slider, layered = runs["slider_published"], runs["layered_default"]
+    fault = slider.experiment.top_fault()
+    peaks = slider.events(fault)["peak_mean_slip_rate"]
+    chosen = [("Spring slider", slider, fault, int(np.argmax(peaks)))] if len(peaks) else []
+    for title, run in (("Spring slider", slider), ("Five bodies", layered)):
         fault = run.experiment.top_fault()
-        events = run.events(fault)
-        main = np.flatnonzero(statistics.is_main(events))
-        if len(main):
-            chosen.append((title, run, fault, int(main[len(main) // 2])))
+        starts = run.events(fault)["start"]
+        times = [one["begin"] for one in small_ones(run) if one["kind"] == "aftershock"]
+        if times:
+            index = int(np.searchsorted(starts, times[0])) - 1
+            chosen.append((title, run, fault, index))
     return chosen

@@ -4,12 +4,18 @@
 ones before and after them."""
 
 import numpy as np
+from scipy.signal import find_peaks
 
 from . import statistics
 
 # m/s: twice the loading velocity, at which the program begins an event, and the rate
 # behind a rupture front.
 EVENT_RATE, FRONT_RATE = 4e-4, 2e-3
+# m/s: what slips slower between events is the acceleration towards one, on which the
+# waves in the bodies ride.
+BURST_RATE = 1e-3
+# Of log10 of the mean slip rate: by how much bursts within an event stand out.
+PROMINENCE = 0.3
 # m: a front that runs less is not timed.
 SHORTEST_FRONT = 0.4
 # Of the interval between events: how far foreshocks and aftershocks are at most.
@@ -105,7 +111,7 @@ def bursts(series, fault, events):
 
 def small_ones(series, fault, events):
     """What is smaller than a main event: those of the catalogue with little slip, and
-    bursts in which a node reaches FRONT_RATE; each with its kind."""
+    bursts in which a node reaches BURST_RATE; each with its kind."""
     main = statistics.is_main(events)
     found = [
         {"begin": start, "end": end, "rate": rate, "whole": True}
@@ -117,12 +123,21 @@ def small_ones(series, fault, events):
     found += [
         burst | {"whole": False}
         for burst in bursts(series, fault, events)
-        if burst["separate"] and burst["rate"] > FRONT_RATE
+        if burst["separate"] and burst["rate"] > BURST_RATE
     ]
     large = statistics.select(events, main)
     for one in found:
         one["kind"] = classify(one, large)
     return sorted(found, key=lambda one: one["begin"])
+
+
+def peaks_within(series, fault, start, end):
+    """The largest mean slip rate in m/s in each of the bursts that an event is made of."""
+    time = series["time"]
+    chosen = (time >= start - 0.1) & (time <= end + 0.1)
+    rate = series[f"{fault}.mean_slip_rate"][chosen]
+    found, _ = find_peaks(np.log10(np.maximum(rate, 1e-30)), prominence=PROMINENCE)
+    return [float(rate[k]) for k in found if rate[k] > EVENT_RATE]
 
 
 def classify(burst, events):
