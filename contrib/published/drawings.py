@@ -49,6 +49,12 @@ def title(axes, text):
     axes.set_title(text, loc="left")
 
 
+def heading(run):
+    """The title of a run as that of a panel."""
+    text = run.experiment.title
+    return text[0].upper() + text[1:]
+
+
 def draw_rates(axes, run, fault, limits):
     """Largest and mean slip rate of a fault over time."""
     series = run.series()
@@ -68,7 +74,7 @@ def slip_rates(slider, layered):
     figure, panels = new_figure(1 + len(names), height=9.5, sharex=True)
     fault = slider.experiment.top_fault()
     draw_rates(panels[0], slider, fault, (1e-14, 1))
-    title(panels[0], f"Spring slider: {len(slider.events(fault)['start'])} events")
+    title(panels[0], f"{heading(slider)}: {len(slider.events(fault)['start'])} events")
     panels[0].legend(loc="lower right", ncol=2)
     words = ("uppermost", "upper intermediate", "lower intermediate", "lowest")
     for axes, name, word in zip(panels[1:], names, words):
@@ -76,7 +82,7 @@ def slip_rates(slider, layered):
         limits = (1e-14, 1) if name == names[0] else (1e-22, max(1e-8, 10 * top))
         draw_rates(axes, layered, name, limits)
         events = len(layered.events(name)["start"])
-        title(axes, f"Five bodies, {name} ({word}): {events} events")
+        title(axes, f"{heading(layered)}, {name} ({word}): {events} events")
     panels[-1].set_xlabel("time [s]")
     return figure
 
@@ -125,8 +131,7 @@ def maps(slider, layered):
         colours = (1e-12, 1e-1) if top > 1e-4 else (top * 1e-10, top)
         draw_map(figure, axes, history, (0, run.end()), colours)
         axes.set_xlim(0, END)
-        scene = "Spring slider" if run is slider else f"Five bodies, {name}"
-        title(axes, f"{scene}: slip rate along the fault")
+        title(axes, heading(run) + (f", {name}" if run is layered else ""))
     panels[-1].set_xlabel("time [s]")
     return figure
 
@@ -134,24 +139,26 @@ def maps(slider, layered):
 def steps(slider, layered):
     """Step sizes and iterations of both experiments, one beside the other."""
     figure, panels = new_figure(3, 2, height=7.0, sharex=True, sharey="row")
-    for column, run, name in zip(
-        panels.T, (slider, layered), ("Spring slider", "Five bodies")
-    ):
+    for column, run in zip(panels.T, (slider, layered)):
+        name = heading(run)
         series = run.series()
         time = series["time"]
         column[0].semilogy(time, series["step_size"], color=BLUE, linewidth=0.5,
                            rasterized=True)
-        title(column[0], f"{name}: step size [s]")
+        title(column[0], name)
+        column[0].set_ylabel("step size [s]")
         column[1].plot(time, series["rate_state_iterations"], ".", color=GREEN,
                        markersize=2, rasterized=True)
-        title(column[1], f"{name}: fixed-point iterations per step")
+        column[1].set_ylabel("fixed-point iterations per step")
         column[2].plot(time, series["multigrid_cycles"], ".", color=VERMILION,
                        markersize=2, rasterized=True)
-        title(column[2], f"{name}: multigrid cycles per step")
+        column[2].set_ylabel("multigrid cycles per step")
         column[2].set_xlabel("time [s]")
         column[0].set_xlim(0, END)
         for axes in column:
             axes.grid(alpha=0.3)
+    for row in panels:
+        row[1].set_ylabel("")
     for row in panels[1:]:
         row[0].set_ylim(bottom=0)
     return figure

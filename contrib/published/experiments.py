@@ -58,6 +58,8 @@ def layered(title, settings, end_time):
 
 # s: after the first four events of the top fault.
 VARIED_END = 40.0
+# s: after the first two; each further one takes minutes with the published settings.
+PUBLISHED_END = 35.0
 
 PUBLISHED = {
     "slider_default": Experiment("spring slider, default settings", SLIDER),
@@ -68,7 +70,7 @@ PUBLISHED = {
     ),
     "layered_published": Experiment(
         "five bodies, published settings", LAYERED,
-        tuple(sorted(PUBLISHED_CONTROL.items())),
+        tuple(sorted(PUBLISHED_CONTROL.items())), PUBLISHED_END,
     ),
 }
 VARIED = {

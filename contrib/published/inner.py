@@ -15,8 +15,8 @@ STEP, QUIET_STEP, BLOCK_STEP = 1e-3, 0.02, 2e-3
 LARGEST_FREQUENCY = 45.0
 # Between the events, 0.4 Hz, and the slowest vibration of the layers, 9 Hz.
 SPLIT = 4.0
-# s: around events.
-MARGIN = 0.5
+# s: around events, and after them.
+MARGIN, SETTLED = 0.5, 0.1
 
 
 def resampled(series, name, time):
@@ -134,10 +134,10 @@ def peaks(frequency, power, least=SPLIT, count=6):
     return np.sort(frequency[highest])
 
 
-def slow_and_fast(run, fault, first, last):
-    """log10 of a fault's mean slip rate in two parts: what varies with the events of
-    the top fault, as the difference of its 5 and 95 % quantiles, and what varies
-    faster than SPLIT, as standard deviation between the events; both in decades."""
+def drop_and_ringing(run, fault, first, last):
+    """What the top fault's events do to log10 of the mean slip rate of another one: its
+    median over time, the mean drop over an event, of what varies slower than SPLIT, and
+    the standard deviation of the rest between the events; all in decades."""
     series = run.series()
     time = np.arange(first, last, STEP)
     rate = np.maximum(series[f"{fault}.mean_slip_rate"], 1e-300)
@@ -146,13 +146,17 @@ def slow_and_fast(run, fault, first, last):
     fast = sosfiltfilt(filters, values)
     # Left out is what the filter makes of the ends and of the drops in events.
     quiet = (time > first + MARGIN) & (time < last - MARGIN)
+    drops = []
     events = run.events(run.experiment.top_fault())
     for start, end in zip(events["start"], events["end"]):
         quiet &= (time < start - MARGIN) | (time > end + MARGIN)
+        if start > first + MARGIN and end < last - MARGIN:
+            before, after = np.interp((start, end + SETTLED), time, values - fast)
+            drops.append(before - after)
     return {
         "median": float(np.median(values)),
-        "slow": float(np.diff(np.quantile(values - fast, (0.05, 0.95)))[0]),
-        "fast": float(np.std(fast[quiet])) if quiet.any() else float("nan"),
+        "drop": float(np.mean(drops)) if drops else float("nan"),
+        "ringing": float(np.std(fast[quiet])) if quiet.any() else float("nan"),
     }
 
 

@@ -43,15 +43,15 @@ def varied_table(runs, last):
         ]
         begin = after_events(run, last)
         for fault in ("fault3", "fault2", "fault1"):
-            found = inner.slow_and_fast(run, fault, begin, last)
+            found = inner.drop_and_ringing(run, fault, begin, last)
             cells.append(
-                f"{found['median']:.1f}; {found['slow']:.2f}; {found['fast']:.3f}"
+                f"{found['median']:.1f}; {found['drop']:.2f}; {found['ringing']:.4f}"
             )
         rows.append(cells)
     return page.table(
         (
             "run", f"events of fault4 by {last:g} s", "shift of the first three, ms",
-            *(f"{f}: log10 V; slow; fast" for f in ("fault3", "fault2", "fault1")),
+            *(f"{f}: log10 V; drop; ringing" for f in ("fault3", "fault2", "fault1")),
         ),
         rows,
     )
