@@ -181,7 +181,7 @@ class Block:
             ]
         return result
 
-    def vibrations(self, count=14):
+    def vibrations(self, count=40):
         """Free vibrations with all faults locked: frequencies in Hz, in increasing
         order, and the share of each in the response to a uniform slip."""
         stiffness, mass = (

@@ -244,7 +244,7 @@ def histograms(slider, layered):
     return figure
 
 
-def inner(results, limits):
+def inner(scene, results, limits):
     """Computed slip rates of the lower faults beside what follows from the slip of
     the top fault alone, over a window of time."""
     figure, panels = new_figure(len(results) + 1, height=8.5, sharex=True)
@@ -257,7 +257,7 @@ def inner(results, limits):
             axes.plot(result["time"][chosen], result[name][chosen], color=colour,
                       linewidth=width, label=label)
         axes.set_ylabel("log10 of slip rate")
-        title(axes, f"{result['fault']}")
+        title(axes, f"Five bodies, {scene}: {result['fault']}")
         axes.grid(alpha=0.3)
     panels[0].legend(loc="lower right", ncol=3, fontsize=7)
     for result, colour in zip(results, (BLUE, GREEN, ORANGE)):
@@ -280,13 +280,16 @@ def spectra(panels_of, resonances):
     colours = (VERMILION, BLUE, GREEN, ORANGE)
     for axes, (name, factor, lines) in zip(panels[:, 0], panels_of):
         for resonance in resonances:
-            axes.axvline(factor * resonance, color=GREY, linestyle=":", linewidth=1)
+            line = axes.axvline(
+                factor * resonance, color=GREY, linestyle=":", linewidth=1
+            )
+        line.set_label("block, all faults locked")
         for (fault, (frequency, power)), colour in zip(lines.items(), colours):
             axes.semilogy(frequency, power, color=colour, linewidth=0.9, label=fault)
         axes.set_xlim(0, max(frequency[-1] for frequency, _ in lines.values()))
         axes.set_ylabel("Pa²/Hz")
         axes.grid(alpha=0.3)
-        title(axes, name)
-    panels[0][0].legend(loc="upper right", ncol=4)
+        title(axes, name if factor == 1 else f"{name}; frequencies of the block x {factor:g}")
+    panels[0][0].legend(loc="upper right", ncol=5, fontsize=7)
     panels[-1][0].set_xlabel("frequency [Hz]")
     return figure

@@ -3,6 +3,7 @@
 """The faults below the uppermost one: what their slip rates follow from."""
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 from scipy.signal import butter, find_peaks, sosfiltfilt, welch
 
 from . import layers
@@ -25,18 +26,20 @@ def resampled(series, name, time):
 
 def block_times(first_event, last):
     """Coarse while only the load grows, fine from shortly before the first event."""
-    quiet = np.arange(0.0, first_event - 0.5, QUIET_STEP)
+    quiet = np.arange(0.0, max(first_event - 0.5, BLOCK_STEP), QUIET_STEP)
     start = quiet[-1] + QUIET_STEP
     return np.concatenate((quiet, np.arange(start, last, BLOCK_STEP)))
 
 
 def slip_on(x, history, time):
-    """Slip of a fault at given positions and times, by linear interpolation."""
-    slip = history.field("slip")
-    at_x = np.stack([np.interp(x, history.x, record) for record in slip])
-    return np.stack(
-        [np.interp(time, history.time, column) for column in at_x.T], axis=1
+    """Slip of a fault at given positions and times: linear in x, and between records
+    the cubic polynomials with their slips and slip rates. Straight lines would give the
+    slip rate a jump at each record, which makes waves."""
+    slip, rate = (
+        np.stack([np.interp(x, history.x, record) for record in history.field(name)])
+        for name in ("slip", "slip_rate")
     )
+    return CubicHermiteSpline(history.time, slip, rate)(time)
 
 
 def compare_with_block(run, first_event, last):

@@ -41,3 +41,9 @@ def column_resonances(count=3):
         "below": WAVE_SPEED / (4 * (HEIGHT - above)) * odd,
         "above": WAVE_SPEED / (4 * above) * odd,
     }
+
+
+def layer_resonances(thickness):
+    """Shear resonances in Hz of a layer by itself, fixed at one side and free at the
+    other, and with two equal sides."""
+    return WAVE_SPEED / (4 * thickness), WAVE_SPEED / (2 * thickness)

@@ -82,7 +82,7 @@ def dependence_on_rate(series, fault, name):
     }
 
 
-def rates_between(series, fault, from_time, events):
+def rates_after(series, fault, from_time):
     """Least and largest mean slip rate of a fault after a time, in m/s."""
     chosen = series["time"] > from_time
     rate = series[f"{fault}.mean_slip_rate"][chosen]

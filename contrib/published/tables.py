@@ -39,7 +39,7 @@ TITLES = {
     "first": "first event",
     "intervals": "from one event to the next: median, least, largest",
     "main_intervals": "the same between these",
-    "rates": "mean slip rate after the first event, least and largest",
+    "rates": "mean slip rate: 1e-11 m/s is passed; least after the first event, largest",
     "node_rate": "largest slip rate of a node",
     "peaks": "largest mean slip rate in an event: median, least, largest",
     "slip": "mean slip in an event: median, least, largest",
@@ -90,12 +90,13 @@ def quantities(run):
         **iterations(series, fault),
     }
     if len(events["start"]):
-        low, high = statistics.rates_between(series, fault, events["start"][0], events)
+        low, high = statistics.rates_after(series, fault, events["start"][0])
+        slow = series["time"][np.argmax(series[f"{fault}.mean_slip_rate"] > 1e-11)]
         result |= {
             "first": f"{events['start'][0]:.2f} s",
             "intervals": three(statistics.intervals(events)) + " s",
             "main_intervals": three(statistics.intervals(main)) + " s",
-            "rates": f"{low:.1e} to {high:.1e} m/s",
+            "rates": f"at {slow:.1f} s; {low:.1e}, {high:.1e} m/s",
             "peaks": three(events["peak_mean_slip_rate"], "{:.2g}") + " m/s",
             "slip": three(1e3 * events["mean_slip"], "{:.2g}") + " mm",
             "lengths": f"{np.nanmedian(events['end'] - events['start']):.2g} s",
