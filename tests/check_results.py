@@ -109,9 +109,16 @@ def check_block(block, layers):
         if not np.allclose(operator @ u, 1e-3 * layers.SHEAR_MODULUS):
             yield "simple shear gives another traction"
     share = model.width / model.width.sum()
-    weights = model.normal_stress() @ share
+    normal, shear = model.under_weight()
+    weights = normal @ share
     if not np.allclose(weights, layers.WEIGHTS[:-1], rtol=0.02):
         yield f"the weights are {weights} in place of {layers.WEIGHTS[:-1]} Pa"
+
+    # Of a symmetric block under its weight.
+    if not np.allclose(shear, -shear[:, ::-1], atol=1e-6 * normal.max()):
+        yield "the shear from weight is not odd in x"
+    if not np.allclose(normal, normal[:, ::-1], rtol=1e-6):
+        yield "the normal stress is not even in x"
 
     # Slow loading: each fault carries the same force. A slip that is uniform and as
     # large as what the top has moved takes all of it away again, since the upper part

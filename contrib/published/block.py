@@ -139,18 +139,24 @@ class Block:
             result.append((below - above)[nodes].multiply(1 / (2 * self.width[:, None])))
         return [matrix.tocsr() for matrix in result]
 
-    def normal_stress(self):
-        """On the lower faults under the weight, in Pa (faults x nodes)."""
+    def under_weight(self):
+        """Normal stresses and shear tractions in Pa on the lower faults (faults x nodes)
+        from the weight alone. The layers would widen, more the deeper they are, but base
+        and top hold them: hence the shear."""
         gravity = np.zeros(self.n)
         gravity[1::2] = -layers.GRAVITY
         u = np.zeros(self.n)
         stiffness = self.stiffness[self.free][:, self.free].tocsc()
         u[self.free] = splu(stiffness).solve((self.mass @ gravity)[self.free])
-        return np.array([-(m @ u) for m in self.traction_operators(0, 1)])
+        normal, shear = (
+            np.array([m @ u for m in self.traction_operators(0, component)])
+            for component in (1, 0)
+        )
+        return -normal, shear
 
     def tractions(self, times, slip):
         """Shear tractions in Pa on the lower faults (times x faults x nodes) while the
-        top fault has the given slip in m (times x nodes)."""
+        top fault has the given slip in m (times x nodes), without those from weight."""
         operators = [self.traction_operators(k, 0) for k in (0, 1)]
         u, v, a = np.zeros(self.n), np.zeros(self.n), np.zeros(self.n)
         result = np.zeros((len(times), len(operators[0]), len(self.x)))

@@ -52,11 +52,11 @@ def compare_with_block(run, first_event, last):
     slip = slip_on(model.x, FaultHistory(run.history(), names[-1]), time)
     tractions = model.tractions(time, slip)
     share = model.width / model.width.sum()
-    stresses = model.normal_stress()
+    stresses, from_weight = model.under_weight()
     state = (layers.INITIAL_STATE + time)[:, None]
     results = []
     for k in reversed(range(len(names) - 1)):
-        own = tractions[:, k]
+        own = tractions[:, k] + from_weight[k]
         rate = np.exp(layers.log_rate(own, stresses[k], state)) @ share
         series = run.series()
         computed = np.maximum(series[f"{names[k]}.mean_slip_rate"], 1e-300)
