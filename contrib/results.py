@@ -7,7 +7,7 @@ Usage: results.py [--quick] [--only SECTION] [--keep FOLDER] [--program FILE]
 
 To be started by contrib/results, which builds the program. Writes the tables between
 the marks in doc/results.md, the figures doc/images/results_*.png and the data
-doc/data/results_*.csv; with --quick the first seconds of each run are computed, tables
+doc/data/results_*.csv; with --quick the first moments of each run are computed, tables
 are printed, figures are drawn, and nothing is written. The results of sections that
 are not done stay.
 """

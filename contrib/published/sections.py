@@ -11,7 +11,7 @@ from . import drawings, experiments, inner_tables, rupture_tables, tables
 PAGE = programs.PROJECT / "doc/results.md"
 DATA = programs.PROJECT / "doc/data"
 # s: where the runs of --quick end.
-QUICK_END = 0.3
+QUICK_END = 0.15
 
 
 @dataclasses.dataclass
