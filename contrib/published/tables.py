@@ -59,13 +59,12 @@ TITLES = {
 }
 
 
-def three(values, form="{:.3g}"):
+def three(values, form="{:.3g}", unit=""):
     """Median, least and largest."""
     if len(values) == 0:
         return "–"
-    return ", ".join(
-        form.format(v) for v in (np.median(values), np.min(values), np.max(values))
-    )
+    numbers = (np.median(values), np.min(values), np.max(values))
+    return ", ".join(form.format(v) for v in numbers) + unit
 
 
 def between(counts):
@@ -94,11 +93,11 @@ def quantities(run):
         slow = series["time"][np.argmax(series[f"{fault}.mean_slip_rate"] > 1e-11)]
         result |= {
             "first": f"{events['start'][0]:.2f} s",
-            "intervals": three(statistics.intervals(events)) + " s",
-            "main_intervals": three(statistics.intervals(main)) + " s",
+            "intervals": three(statistics.intervals(events), unit=" s"),
+            "main_intervals": three(statistics.intervals(main), unit=" s"),
             "rates": f"at {slow:.1f} s; {low:.1e}, {high:.1e} m/s",
-            "peaks": three(events["peak_mean_slip_rate"], "{:.2g}") + " m/s",
-            "slip": three(1e3 * events["mean_slip"], "{:.2g}") + " mm",
+            "peaks": three(events["peak_mean_slip_rate"], "{:.2g}", " m/s"),
+            "slip": three(1e3 * events["mean_slip"], "{:.2g}", " mm"),
             "lengths": f"{np.nanmedian(events['end'] - events['start']):.2g} s",
             **steps(series, events),
         }
