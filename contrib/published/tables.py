@@ -146,6 +146,8 @@ def iterations(series, fault):
 def percent(part):
     if part == 0:
         return "0"
+    if 0.999 < part < 1:
+        return f"{100 * part:.2f} %"
     return f"{100 * part:.3g} %" if part >= 1e-3 else f"{100 * part:.1g} %"
 
 
