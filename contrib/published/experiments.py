@@ -63,10 +63,6 @@ PUBLISHED_END = 35.0
 
 PUBLISHED = {
     "slider_default": Experiment("spring slider, default settings", SLIDER),
-    "slider_lithostatic": Experiment(
-        "spring slider, default settings but lithostatic normal stress", SLIDER,
-        (("Faults/fault/Normal stress", "lithostatic"),),
-    ),
     "layered_default": Experiment("five bodies, default settings", LAYERED),
     "slider_published": Experiment(
         "spring slider, published settings", SLIDER,

@@ -54,8 +54,7 @@ def event_rows(runs):
 
 
 def slider(store, quick):
-    names = ("slider_published", "slider_default", "slider_lithostatic")
-    runs = run_all(store, chosen(names), quick)
+    runs = run_all(store, chosen(("slider_published", "slider_default")), quick)
     text = tables.comparison(tables.PRINTED["slider"], list(runs.values()))
     return Outcome(text, {}, {"events_slider": event_rows(runs.values())})
 
