@@ -118,7 +118,7 @@ def text(runs):
 def examples(runs):
     """Events to be drawn, as (title, run, fault, index): the spring slider's with the
     highest slip rate, and of each experiment the first with an aftershock."""
-    slider, layered = runs["slider_published"], runs["layered_default"]
+    slider, layered = runs["slider_default"], runs["layered_default"]
     fault = slider.experiment.top_fault()
     peaks = slider.events(fault)["peak_mean_slip_rate"]
     chosen = [("Spring slider", slider, fault, int(np.argmax(peaks)))] if len(peaks) else []

@@ -85,7 +85,7 @@ def quantities(run):
         "main": str(len(main["start"])),
         "node_rate": f"{series[f'{fault}.max_slip_rate'].max():.2g} m/s",
         "accepted": f"{len(series['time']):,}, {run.summary_number('Steps/rejected'):,.0f}",
-        "cpu": f"{run.cpu_seconds:.0f}",
+        "cpu": f"{run.cpu_seconds:.0f}" if np.isfinite(run.cpu_seconds) else "–",
         **iterations(series, fault),
     }
     if len(events["start"]):
