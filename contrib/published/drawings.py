@@ -7,6 +7,7 @@ import io
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
+from matplotlib.ticker import MaxNLocator
 from measure.figures import BLACK, BLUE, GREEN, GREY, IMAGES, ORANGE, VERMILION
 from PIL import Image
 
@@ -138,29 +139,30 @@ def maps(slider, layered):
 
 def steps(slider, layered):
     """Step sizes and iterations of both experiments, one beside the other."""
-    figure, panels = new_figure(3, 2, height=7.0, sharex=True, sharey="row")
+    figure, panels = new_figure(3, 2, height=6.5, sharex=True, sharey="row")
     for column, run in zip(panels.T, (slider, layered)):
         name = heading(run)
         series = run.series()
         time = series["time"]
         column[0].semilogy(time, series["step_size"], color=BLUE, linewidth=0.5,
                            rasterized=True)
-        title(column[0], name)
+        title(column[0], f"{name}, each step")
         column[0].set_ylabel("step size [s]")
         column[1].plot(time, series["rate_state_iterations"], ".", color=GREEN,
                        markersize=2, rasterized=True)
-        column[1].set_ylabel("fixed-point iterations per step")
+        column[1].set_ylabel("fixed-point iterations")
         column[2].plot(time, series["multigrid_cycles"], ".", color=VERMILION,
                        markersize=2, rasterized=True)
-        column[2].set_ylabel("multigrid cycles per step")
+        column[2].set_ylabel("multigrid cycles")
         column[2].set_xlabel("time [s]")
-        column[0].set_xlim(0, END)
         for axes in column:
             axes.grid(alpha=0.3)
+    panels[0][0].set_xlim(0, max(slider.end(), layered.end()))
     for row in panels:
         row[1].set_ylabel("")
     for row in panels[1:]:
         row[0].set_ylim(bottom=0)
+        row[0].yaxis.set_major_locator(MaxNLocator(integer=True))
     return figure
 
 
@@ -236,6 +238,7 @@ def histograms(slider, layered):
             axes.bar(np.array(list(counts)) + shift, list(counts.values()), width=0.4,
                      color=colour, label=label)
         axes.set_yscale("log")
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         axes.set_ylabel("share of the steps")
         axes.set_xlabel(name.replace("rate_state", "fixed-point").replace("_", " ")
                         + " per step")
