@@ -13,6 +13,8 @@ BODIES = {SLIDER: ("lower", "upper"),
 # Records dense enough for the waves on faults that hardly slip, which the largest
 # slip rate of all faults says nothing about.
 OUTPUT = {"Output/Write volume": "false", "Output/Fault longest interval": "0.02"}
+# Two multigrid cycles in each correction of all runs.
+SOLVER = {"TNNMG/Single-cycle corrections": "0", "TNNMG/Tolerance": "1e-7"}
 PUBLISHED_CONTROL = {
     "Time/Step size control": "step doubling",
     "Time/State update": "implicit Euler",
@@ -33,7 +35,8 @@ class Experiment:
 
     def all_settings(self):
         return {
-            **OUTPUT, "Time/End time": f"{self.end_time:g}", **dict(self.settings)
+            **OUTPUT, **SOLVER, "Time/End time": f"{self.end_time:g}",
+            **dict(self.settings),
         }
 
     def faults(self):
