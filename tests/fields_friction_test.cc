@@ -107,10 +107,11 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
       const bool is_in = std::abs(nodes[k][0]) < 0.51;
       n_in += is_in;
       EXPECT_EQ(patch.faults.law(k).a, is_in ? 0.005 : 0.02);
-      EXPECT_EQ(&patch.faults.law(k), &patch.faults.law(is_in ? 16 : 0));
+      EXPECT_EQ(&patch.faults.law(k), &patch.faults.law(is_in ? 8 : 0));
     }
-  EXPECT_GT(n_in, 10u);
-  EXPECT_LT(n_in, nodes.size() - 10);
+  // Every 0.125 m there is a node.
+  EXPECT_EQ(n_in, 9u);
+  EXPECT_EQ(nodes.size(), 17u);
 
   const SteppingScene       varying(creeping_bodies, varying_friction);
   const std::vector<double> a =
@@ -136,9 +137,10 @@ TEST(FrictionFields, SteadySlidingOfAWeakeningPatchHasTheFrictionOfEachPart)
                        "Faults/fault/Reference friction coefficient=0.3",
                        "Faults/fault/Reference slip rate=1e-4",
                        "Faults/fault/Characteristic slip=3e-4*(1.5 + x)",
-                       "Time/End time=8",
+                       "Time/End time=12",
                        "Time/Tolerance=1e-4"});
-  scene.advance_until(8.);
+  // The state follows the loading of 1 s with L/V, at most 0.75 s.
+  scene.advance_until(12.);
 
   const std::vector<Point<2>> nodes = fault_nodes_of(scene);
   double                      force = 0, area = 0;
@@ -167,7 +169,8 @@ TEST(FrictionFields, SteadySlidingOfAWeakeningPatchHasTheFrictionOfEachPart)
   for (const auto node : surface_nodes(level, 0, BodyMesh<2>::upper_side))
     on_top += forces.local_element(2 * node);
   EXPECT_NEAR(std::abs(on_top), force, 1e-5 * force);
-  EXPECT_GT(force, sigma * area * mu_0);
+  // It is not that of one law.
+  EXPECT_GT(std::abs(force - sigma * area * mu_0), 1e-3 * force);
 }
 
 
@@ -177,10 +180,15 @@ TEST(FrictionFields, CondensedNewtonAndTNNMGAgree)
   for (const std::string regularisation : {"arcsinh", "truncated"})
     {
       SCOPED_TRACE(regularisation);
-      const std::vector<std::string> common =
-        varying_and({"Faults/fault/Regularisation=" + regularisation,
-                     "TNNMG/Tolerance=1e-12",
-                     "Time/Rate-state tolerance=1e-12"});
+      // Both take the same steps: short ones, since below Vmin, where the
+      // truncated law has no friction, TNNMG takes many iterations.
+      const std::vector<std::string> common = varying_and(
+        {"Faults/fault/Regularisation=" + regularisation,
+         "TNNMG/Tolerance=1e-12",
+         "Time/Rate-state tolerance=1e-12",
+         "Faults/fault/Reference friction coefficient=0.1 + 0.005*x",
+         "Time/Step size control=constant",
+         "Time/Largest step=5e-4"});
       std::vector<std::string> condensed = common;
       condensed.push_back("Time/Rate solver=condensed Newton");
       const SystemState<2> one = end_of_run(common);
