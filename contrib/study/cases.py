@@ -10,6 +10,8 @@ FINEST = {
     "TNNMG/Tolerance": "1e-12",
     "Time/Rate-state tolerance": "1e-11",
 }
+# All corrections alike; it is the mesh and the steps that are studied with it.
+TWO_CYCLES = {"TNNMG/Single-cycle corrections": "0"}
 EULER = {"Time/State update": "implicit Euler"}
 NESTED = {"Time/Rate-state method": "nested"}
 DOUBLING = {"Time/Step size control": "step doubling"}
@@ -148,7 +150,7 @@ def front_cases():
 
 def independent_cases():
     """On the mesh of independent.py; its events are the reference."""
-    coarse = ARCSINH | bodies(Refinement_passes=0)
+    coarse = ARCSINH | TWO_CYCLES | bodies(Refinement_passes=0)
     exact = {k: v for k, v in FINEST.items() if k != TOLERANCE}
     return [
         *series("independent", "embedded, exponential", TOLERANCE,
@@ -192,10 +194,12 @@ BALANCED = [
 
 def mesh_series(family, meshes, to=None):
     """Runs on meshes, each compared with that on the last one if not with another."""
+    solver = TWO_CYCLES | {"TNNMG/Tolerance": "1e-7"}
     *others, (finest, settings) = meshes
-    last = Case("space", family, DEFAULT_TOLERANCE, pairs(settings), finest, to)
+    last = Case("space", family, DEFAULT_TOLERANCE, pairs(settings | solver), finest, to)
     return [
-        Case("space", family, DEFAULT_TOLERANCE, pairs(settings), mesh, to or last)
+        Case("space", family, DEFAULT_TOLERANCE, pairs(settings | solver), mesh,
+             to or last)
         for mesh, settings in others
     ] + [last]
 
