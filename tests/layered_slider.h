@@ -40,7 +40,7 @@ namespace StickSlip::Tests
                communicator,
                min_nodes_per_process)
       , boundary(meshes, conditions(), {"lower", "upper"})
-      , problem(meshes, {Material(), Material()}, boundary, 0.)
+      , problem(meshes, {Material(), Material()}, boundary, Tensor<1, dim>())
     {}
 
     /**

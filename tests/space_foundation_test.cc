@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/time/initial_equilibrium.h>
 
 #include <numeric>

@@ -90,7 +90,7 @@ namespace
     SpatialProblem<2> problem(meshes,
                               std::vector<Material>(n_bodies, material),
                               boundary,
-                              0.);
+                              Tensor<1, 2>());
 
     SystemState<2> state;
     state.time                 = 10.;
