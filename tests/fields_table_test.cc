@@ -2,13 +2,13 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/parameters/spatial_field.h>
 
 #include <algorithm>
 #include <random>
 #include <sstream>
 
+#include "error_message.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -16,36 +16,6 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  template <typename Action>
-  std::string
-  message_of(const Action &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "no error";
-  }
-
-
-
-  void
-  expect_parts(const std::string              &message,
-               const std::vector<std::string> &parts)
-  {
-    for (const std::string &part : parts)
-      EXPECT_NE(message.find(part), std::string::npos)
-        << "'" << part << "' is missing in: " << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_EQ(message.back(), '.') << message;
-  }
-
-
-
   // Reading a table with this content must fail with these parts.
   void
   expect_table_error(const std::string              &content,
@@ -53,7 +23,8 @@ namespace
   {
     const TemporaryFolder folder;
     const std::string     file = folder.write("table.txt", content);
-    expect_parts(message_of([&]() { GridTable table(file); }), parts);
+    expect_one_sentence_with(message_of([&]() { GridTable table(file); }),
+                             parts);
   }
 
 
@@ -182,8 +153,9 @@ TEST(GridTable, InterpolatesATrilinearFunctionExactly)
 
 TEST(GridTable, MistakesAreNamedWithFileAndLine)
 {
-  expect_parts(message_of([]() { GridTable table("nowhere/none.txt"); }),
-               {"nowhere/none.txt", "does not exist"});
+  expect_one_sentence_with(message_of(
+                             []() { GridTable table("nowhere/none.txt"); }),
+                           {"nowhere/none.txt", "does not exist"});
   expect_table_error("", {"table.txt", "no values"});
   expect_table_error("# only this\nx y\n", {"table.txt", "no values"});
   expect_table_error("0 1\n1 2\n",
@@ -256,23 +228,30 @@ TEST(SpatialField, MistakesNameEntryValueAndPosition)
     const SpatialField field = make_field(text, range);
     return message_of([&]() { field.values(points, "Faults/main"); });
   };
-  expect_parts(message("x", NumberRange().at_least(0)),
-               {"'Faults/main/a' = 'x'",
-                "is -0.5 at (-0.5, 1) m",
-                "a number >= 0 everywhere"});
-  expect_parts(message("1/x", NumberRange()), {"is inf at (0, 1) m"});
-  expect_parts(message("sqrt(x)", NumberRange()), {"nan at (-0.5, 1) m"});
-  expect_parts(message("0.1*speed", NumberRange()),
-               {"'Faults/main/a' = '0.1*speed'", "cannot be used", "speed"});
-  expect_parts(message("t", NumberRange()), {"cannot be used", "x,y)"});
-  expect_parts(message("0,5", NumberRange()), {"more than one value"});
-  expect_parts(message_of([]() { make_field("table"); }), {"name of a file"});
+  expect_one_sentence_with(message("x", NumberRange().at_least(0)),
+                           {"'Faults/main/a' = 'x'",
+                            "is -0.5 at (-0.5, 1) m",
+                            "a number >= 0 everywhere"});
+  expect_one_sentence_with(message("1/x", NumberRange()),
+                           {"is inf at (0, 1) m"});
+  expect_one_sentence_with(message("sqrt(x)", NumberRange()),
+                           {"nan at (-0.5, 1) m"});
+  expect_one_sentence_with(message("0.1*speed", NumberRange()),
+                           {"'Faults/main/a' = '0.1*speed'",
+                            "cannot be used",
+                            "speed"});
+  expect_one_sentence_with(message("t", NumberRange()),
+                           {"cannot be used", "x,y)"});
+  expect_one_sentence_with(message("0,5", NumberRange()),
+                           {"more than one value"});
+  expect_one_sentence_with(message_of([]() { make_field("table"); }),
+                           {"name of a file"});
 
   const TemporaryFolder folder;
   const SpatialField    table =
     make_field("table " + folder.write("t.txt", "z\n0 1\n1 2\n"));
-  expect_parts(message_of([&]() { table.values(points, "S"); }),
-               {"'S/a' = 'table ", "depends on z", "x and y"});
+  expect_one_sentence_with(message_of([&]() { table.values(points, "S"); }),
+                           {"'S/a' = 'table ", "depends on z", "x and y"});
   EXPECT_EQ(table.values<3>({Point<3>(9, 9, 0.25)}, "S"),
             (std::vector<double>{1.25}));
 }

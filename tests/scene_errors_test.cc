@@ -2,10 +2,10 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/simulation/command_line.h>
 #include <stickslip/simulation/scene_reader.h>
 
+#include "error_message.h"
 #include "scene_text.h"
 #include "temporary_folder.h"
 
@@ -14,36 +14,6 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  template <typename Action>
-  std::string
-  message_of(const Action &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "no error";
-  }
-
-
-
-  void
-  expect_one_sentence_with(const std::string              &message,
-                           const std::vector<std::string> &parts)
-  {
-    for (const std::string &part : parts)
-      EXPECT_NE(message.find(part), std::string::npos)
-        << "'" << part << "' is missing in: " << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_EQ(message.back(), '.') << message;
-  }
-
-
-
   // Reading this text of a scene in two dimensions must fail with a message
   // that has these parts.
   void
