@@ -11,6 +11,7 @@
 #include "endless_layers.h"
 #include "radiating_slider.h"
 #include "simulation_scenes.h"
+#include "slip_rate_series.h"
 #include "stepping_scene.h"
 
 using namespace StickSlip;
@@ -69,53 +70,6 @@ namespace
     };
     return result;
   }
-
-
-
-  struct Series
-  {
-    std::vector<double> time, slip_rate;
-
-    /** Between the values, ln V is linear. */
-    double
-    at(const double t) const
-    {
-      const std::size_t k =
-        std::lower_bound(time.begin(), time.end(), t) - time.begin();
-      const double x = (t - time[k - 1]) / (time[k] - time[k - 1]);
-      return std::exp((1. - x) * std::log(slip_rate[k - 1]) +
-                      x * std::log(slip_rate[k]));
-    }
-
-    /** When the slip rate rises over twice the loading rate, having been below
-     * half of it. */
-    std::vector<double>
-    events() const
-    {
-      std::vector<double> result;
-      bool                armed = true;
-      for (std::size_t k = 1; k < time.size(); ++k)
-        if (armed && slip_rate[k] > 2. * loading_rate)
-          {
-            const double before = std::log(slip_rate[k - 1]),
-                         after  = std::log(slip_rate[k]);
-            result.push_back(time[k - 1] +
-                             (time[k] - time[k - 1]) *
-                               (std::log(2. * loading_rate) - before) /
-                               (after - before));
-            armed = false;
-          }
-        else if (slip_rate[k] < 0.5 * loading_rate)
-          armed = true;
-      return result;
-    }
-
-    double
-    peak() const
-    {
-      return *std::max_element(slip_rate.begin(), slip_rate.end());
-    }
-  };
 } // namespace
 
 
@@ -125,17 +79,19 @@ TEST(Slider, EventsOfTheQuasiDynamicLayersAreThoseOfAnODE)
   const EndlessLayers scene_layers = layers(1e3);
   RadiatingSlider     ode          = slider(scene_layers, true);
   ode.run(25., 0.);
-  const Series reference{ode.time, ode.slip_rate};
+  const SlipRateSeries reference{ode.time, ode.slip_rate};
   ode.tolerance = 1e-11;
   ode.run(25., 0.);
-  const Series coarser{ode.time, ode.slip_rate};
-  ASSERT_GE(reference.events().size(), 3u);
+  const SlipRateSeries coarser{ode.time, ode.slip_rate};
+  ASSERT_GE(reference.events(loading_rate).size(), 3u);
   for (unsigned int k = 0; k < 3; ++k)
-    ASSERT_NEAR(coarser.events()[k], reference.events()[k], 1e-5);
+    ASSERT_NEAR(coarser.events(loading_rate)[k],
+                reference.events(loading_rate)[k],
+                1e-5);
 
-  SteppingScene scene(scene_layers.text(),
+  SteppingScene  scene(scene_layers.text(),
                       {"Time/Inertia=quasi-dynamic", "Time/Tolerance=3e-8"});
-  Series        ours{{0.}, {0.}};
+  SlipRateSeries ours{{0.}, {0.}};
   while (scene.state.time < 25.)
     {
       scene.advance();
@@ -147,11 +103,13 @@ TEST(Slider, EventsOfTheQuasiDynamicLayersAreThoseOfAnODE)
     EXPECT_NEAR(ours.at(t) / reference.at(t), 1., 1e-3) << t;
   EXPECT_GT(reference.peak(), 50. * loading_rate);
   EXPECT_NEAR(ours.peak() / reference.peak(), 1., 1e-3);
-  const double interval = reference.events()[1] - reference.events()[0];
+  const double interval =
+    reference.events(loading_rate)[1] - reference.events(loading_rate)[0];
   for (unsigned int k = 0; k < 3; ++k)
     {
-      const double late = ours.events()[k] - reference.events()[k];
-      std::cout << "event " << k << " at " << reference.events()[k]
+      const double late =
+        ours.events(loading_rate)[k] - reference.events(loading_rate)[k];
+      std::cout << "event " << k << " at " << reference.events(loading_rate)[k]
                 << " s, ours later by " << late << " s\n";
       EXPECT_LT(std::abs(late), 1e-4 * interval);
     }

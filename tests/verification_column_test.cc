@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "endless_layers.h"
+#include "slip_rate_series.h"
 #include "stepping_scene.h"
 #include "wave_column.h"
 
@@ -72,56 +73,14 @@ namespace
 
 
 
-  /** A slip rate over time. */
-  struct Series
-  {
-    std::vector<double> time, slip_rate;
-
-    /** Between the values, ln V is linear. */
-    double
-    at(const double t) const
-    {
-      const std::size_t k =
-        std::lower_bound(time.begin(), time.end(), t) - time.begin();
-      const double x = (t - time[k - 1]) / (time[k] - time[k - 1]);
-      return std::exp((1. - x) * std::log(slip_rate[k - 1]) +
-                      x * std::log(slip_rate[k]));
-    }
-
-    /** When the slip rate rises over twice the loading rate, having been below
-     * half of it. */
-    std::vector<double>
-    events() const
-    {
-      std::vector<double> result;
-      bool                armed = true;
-      for (std::size_t k = 1; k < time.size(); ++k)
-        if (armed && slip_rate[k] > 2. * loading_rate)
-          {
-            const double before = std::log(slip_rate[k - 1]),
-                         after  = std::log(slip_rate[k]);
-            result.push_back(time[k - 1] +
-                             (time[k] - time[k - 1]) *
-                               (std::log(2. * loading_rate) - before) /
-                               (after - before));
-            armed = false;
-          }
-        else if (slip_rate[k] < 0.5 * loading_rate)
-          armed = true;
-      return result;
-    }
-  };
-
-
-
-  Series
+  SlipRateSeries
   simulate(const WaveColumn               &column,
            const unsigned int              n_cells,
            const double                    end_time,
            const std::vector<std::string> &overrides = {})
   {
-    SteppingScene scene(scene_of(column, n_cells), overrides);
-    Series        series;
+    SteppingScene  scene(scene_of(column, n_cells), overrides);
+    SlipRateSeries series;
     series.time      = {0.};
     series.slip_rate = {0.};
     while (scene.state.time < end_time)
@@ -186,18 +145,18 @@ TEST(Column, LoadingEventAndRadiation)
 {
   WaveColumn column = spring_slider();
   column.run(24., 0.);
-  const Series coarser{column.time, column.slip_rate};
+  const SlipRateSeries coarser{column.time, column.slip_rate};
   column.steps_a_passage = 2000;
   column.run(24., 0.);
-  const Series reference{column.time, column.slip_rate};
-  const double start    = reference.events()[0],
-               interval = reference.events()[1] - start;
-  ASSERT_NEAR(coarser.events()[0], start, 1e-8);
+  const SlipRateSeries reference{column.time, column.slip_rate};
+  const double         start = reference.events(loading_rate)[0],
+               interval      = reference.events(loading_rate)[1] - start;
+  ASSERT_NEAR(coarser.events(loading_rate)[0], start, 1e-8);
   ASSERT_NEAR(coarser.at(start + 0.08) / reference.at(start + 0.08), 1., 1e-5);
 
-  SteppingScene scene(scene_of(column, 128), {"Time/Tolerance=3e-8"});
-  Series        ours{{0.}, {0.}};
-  double        largest_of_profiles = 0;
+  SteppingScene  scene(scene_of(column, 128), {"Time/Tolerance=3e-8"});
+  SlipRateSeries ours{{0.}, {0.}};
+  double         largest_of_profiles = 0;
   while (scene.state.time < start + 0.1)
     {
       scene.advance();
@@ -205,9 +164,11 @@ TEST(Column, LoadingEventAndRadiation)
       ours.slip_rate.push_back(std::abs(scene.state.slip_rate[0][0]));
       // The waves that the event sends up and down, on the whole height.
       if (scene.state.time > start + 0.02 && scene.state.time < start + 0.06)
-        largest_of_profiles = std::max(
-          largest_of_profiles,
-          error_of_profile(scene, column, ours.events().front() - start));
+        largest_of_profiles =
+          std::max(largest_of_profiles,
+                   error_of_profile(scene,
+                                    column,
+                                    ours.events(loading_rate).front() - start));
     }
   EXPECT_LT(largest_of_profiles, 0.01);
 
@@ -215,7 +176,7 @@ TEST(Column, LoadingEventAndRadiation)
   for (const double t : {5., 10., 15., 19., 20.})
     EXPECT_NEAR(ours.at(t) / reference.at(t), 1., 1e-3) << t;
   // Above half of the loading rate, from the start of the event.
-  const double late = ours.events()[0] - start;
+  const double late = ours.events(loading_rate)[0] - start;
   EXPECT_LT(std::abs(late), 1e-3 * interval);
   double peak = 0, largest = 0;
   for (double t = start - 0.5; t < start + 0.09; t += 1e-3)
@@ -243,7 +204,8 @@ TEST(Column, EventTimeConverges)
 {
   WaveColumn column = spring_slider();
   column.run(20.5, 0.);
-  const double start = Series{column.time, column.slip_rate}.events().front();
+  const double start =
+    SlipRateSeries{column.time, column.slip_rate}.events(loading_rate).front();
 
   // The steps follow the third root of the tolerance, and their error is of
   // second order: a hundredth of the tolerance for a twentieth of the error.
@@ -251,7 +213,7 @@ TEST(Column, EventTimeConverges)
   for (const std::string tolerance : {"1e-4", "1e-6"})
     errors.push_back(
       std::abs(simulate(column, 64, 20.5, {"Time/Tolerance=" + tolerance})
-                 .events()
+                 .events(loading_rate)
                  .front() -
                start));
   EXPECT_LT(errors[0], 3e-3);
@@ -265,7 +227,7 @@ TEST(Column, SecondOrderInMeshAndStep)
   constexpr double end_time = 0.8;
   WaveColumn       column   = strengthening_column();
   column.run(end_time + 0.1, 0.);
-  const Series reference{column.time, column.slip_rate};
+  const SlipRateSeries reference{column.time, column.slip_rate};
 
   const auto error = [&](const unsigned int i, const std::string &update) {
     SteppingScene scene(scene_of(column, 8u << i),

@@ -18,23 +18,6 @@ namespace StickSlip
 {
   namespace
   {
-    /** The degrees of freedom that follow what is said of a side, in the order
-     * of its surface: those on it, and all of a rigid body. */
-    template <int dim>
-    std::vector<types::global_dof_index>
-    driven_dofs(const BodyMesh<dim> &body, const types::boundary_id side)
-    {
-      if (!body.is_rigid())
-        return body.dofs_on_side(side);
-      std::vector<types::global_dof_index> dofs;
-      for (types::global_dof_index i = 0; i < body.dof_handler().n_dofs(); ++i)
-        if (!body.bound_nodes().is_constrained(i))
-          dofs.push_back(i);
-      return dofs;
-    }
-
-
-
     template <int dim>
     bool
     has_traction(const BoundaryCondition<dim> &condition)
@@ -77,18 +60,29 @@ namespace StickSlip
                                        expression_constants(),
                                        /*time_dependent=*/true);
           }
-        const BodyMesh<dim>          &body    = *finest.bodies[side.body];
-        const FaultSurface<dim>       surface = body.surface(condition.side);
-        const std::vector<Point<dim>> points  = body.node_positions();
-        const auto                    dofs = driven_dofs(body, condition.side);
-        for (unsigned int k = 0; k < dofs.size(); ++k)
-          if (const auto node = finest.global_node(side.body, dofs[k]);
-              finest.nodes.owned().is_element(node))
-            {
-              side.points.push_back(body.is_rigid() ? points[dofs[k]] :
-                                                      surface.points[k]);
-              side.nodes.push_back(finest.nodes.local_index(node));
-            }
+        const BodyMesh<dim> &body     = *finest.bodies[side.body];
+        const auto           add_node = [&](const types::global_dof_index dof,
+                                  const Point<dim>             &point) {
+          const auto node = finest.global_node(side.body, dof);
+          if (!finest.nodes.owned().is_element(node))
+            return;
+          side.points.push_back(point);
+          side.nodes.push_back(finest.nodes.local_index(node));
+        };
+        if (body.is_rigid())
+          {
+            // All of it moves with the side.
+            const std::vector<Point<dim>> points = body.node_positions();
+            for (types::global_dof_index dof = 0; dof < points.size(); ++dof)
+              if (!body.bound_nodes().is_constrained(dof))
+                add_node(dof, points[dof]);
+          }
+        else
+          {
+            const FaultSurface<dim> surface = body.surface(condition.side);
+            for (unsigned int k = 0; k < surface.dofs.size(); ++k)
+              add_node(surface.dofs[k], surface.points[k]);
+          }
         sides.push_back(std::move(side));
       }
   }
