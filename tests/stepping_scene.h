@@ -5,6 +5,7 @@
 #define stickslip_tests_stepping_scene_h
 
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/scene_reader.h>
 #include <stickslip/time/step_size_control.h>
 

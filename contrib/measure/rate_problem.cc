@@ -24,6 +24,7 @@
 
 #include <stickslip/simulation/command_line.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/scene_reader.h>
 #include <stickslip/time/newmark.h>
 

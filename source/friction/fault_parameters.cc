@@ -3,31 +3,14 @@
 
 #include <stickslip/friction/fault_parameters.h>
 #include <stickslip/parameters/entries.h>
+#include <stickslip/parameters/name_list.h>
 
 namespace StickSlip
 {
   void
-  FaultParameters::add_parameters(ParameterHandler &prm)
+  FaultParameters::add_parameters(ParameterHandler &prm, const unsigned int dim)
   {
-    rate_and_state.add_parameters(prm);
-    add_choice(prm,
-               "State law",
-               state_law,
-               {{StateLaw::aging, "aging"}, {StateLaw::slip, "slip"}},
-               "Evolution of the state theta: the aging law (Dieterich) or "
-               "the slip law (Ruina).");
-    add_choice(prm,
-               "Regularisation",
-               regularisation,
-               {{Regularisation::truncated, "truncated"},
-                {Regularisation::arcsinh, "arcsinh"}},
-               "Friction coefficient as V tends to 0: a max(0, ln(V/Vmin)), or "
-               "a asinh(V/(2 Vmin)).");
-    add_field(prm,
-              "Initial state",
-              initial_state,
-              NumberRange().above(0),
-              "State theta at the start, in s.");
+    FrictionParameters::add_parameters(prm, dim);
     add_choice(prm,
                "Normal stress",
                normal_stress_source,
@@ -44,6 +27,62 @@ namespace StickSlip
               NumberRange().at_least(0),
               "The given normal stress, in Pa, compression positive. Used only "
               "with 'Normal stress = function'.");
+    add_switch(prm,
+               "Normal stress follows",
+               normal_stress_follows,
+               "Whether the normal stress changes by as much as the contact "
+               "pressure has changed since the start, with a lag of one time "
+               "step; it stays as it is otherwise.");
+
+    prm.enter_subsection("Regions");
+    std::vector<std::string> names;
+    for (const FrictionRegion &region : regions)
+      names.push_back(region.name);
+    prm.declare_entry("Names",
+                      join_names(names),
+                      NameList(),
+                      "Names of parts of the fault with friction of their own; "
+                      "none if empty. Each has a subsection of its name with "
+                      "'Where' and the entries of the fault from 'Friction' to "
+                      "'Slip rate ramp length'; those not set there are as in "
+                      "the fault.");
+    for (FrictionRegion &region : regions)
+      {
+        prm.enter_subsection(region.name);
+        add_field(prm,
+                  "Where",
+                  region.where,
+                  NumberRange(),
+                  "The region is where this is greater than 0, as in 'abs(x) < "
+                  "1', x in m. Where several are, the last named counts.");
+        region.friction.add_parameters(prm, dim);
+        prm.leave_subsection();
+      }
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  std::vector<FaultPart>
+  FaultParameters::parts(const std::vector<Point<dim>> &points) const
+  {
+    std::vector<FaultPart>    result = {{this, section(), {}}};
+    std::vector<unsigned int> part_of_point(points.size(), 0);
+    for (const FrictionRegion &region : regions)
+      {
+        const std::string region_section =
+          section() + "/Regions/" + region.name;
+        const std::vector<double> inside =
+          region.where.values(points, region_section);
+        for (unsigned int k = 0; k < points.size(); ++k)
+          if (inside[k] > 0.)
+            part_of_point[k] = result.size();
+        result.push_back({&region.friction, region_section, {}});
+      }
+    for (unsigned int k = 0; k < points.size(); ++k)
+      result[part_of_point[k]].positions.push_back(k);
+    return result;
   }
 
 
@@ -53,4 +92,11 @@ namespace StickSlip
   {
     return "Faults/" + name;
   }
+
+
+
+  template std::vector<FaultPart>
+  FaultParameters::parts(const std::vector<Point<2>> &) const;
+  template std::vector<FaultPart>
+  FaultParameters::parts(const std::vector<Point<3>> &) const;
 } // namespace StickSlip

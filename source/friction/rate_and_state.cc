@@ -164,6 +164,14 @@ namespace StickSlip
 
 
   double
+  RateAndStateLaw::rate_scale() const
+  {
+    return std::max(parameters.a, parameters.b);
+  }
+
+
+
+  double
   RateAndStateLaw::scaled_coefficient(const double V,
                                       const double log_vmin) const
   {

@@ -36,8 +36,8 @@ namespace StickSlip
             snapshot.slip_rate.push_back(sign * state.slip_rate[k]);
             snapshot.normal_stress.push_back(normal_stress);
             snapshot.state.push_back(std::exp(state.alpha[k]));
-            snapshot.shear_traction.push_back(
-              sign * normal_stress * directed_friction(nodes, state, k));
+            snapshot.shear_traction.push_back(sign *
+                                              shear_traction(nodes, state, k));
           }
       }
     return snapshots;

@@ -5,25 +5,12 @@
 #include <stickslip/simulation/initial_state.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace StickSlip
 {
   namespace
   {
-    /** The slip rate of one side of a fault for a unit of traction that it
-     * radiates, m/(Pa s); a rigid body does not yield. */
-    template <int dim>
-    double
-    radiation_compliance(const BodyParameters<dim> &body)
-    {
-      return body.geometry.rigid ? 0. : 1. / body.material.shear_impedance();
-    }
-
-
-
     /** How much the weight of what lies above a point of fault @p f presses on
      * it, Pa. */
     template <int dim>
@@ -39,48 +26,6 @@ namespace StickSlip
       return -scene.gravity_vector()[dim - 1] * density_times_thickness;
     }
   } // namespace
-
-
-
-  template <int dim>
-  NodeLaws
-  make_node_laws(const SceneParameters<dim> &scene, const JumpBasis<dim> &basis)
-  {
-    NodeLaws result;
-    for (unsigned int f = 0; f < scene.faults.size(); ++f)
-      {
-        const FaultParameters                        &fault = scene.faults[f];
-        std::map<std::array<double, 5>, unsigned int> known;
-        const double                                  radiation_damping =
-          scene.time.inertia == Inertia::quasi_dynamic ?
-                                             1. / (radiation_compliance(scene.bodies[f]) +
-                  radiation_compliance(scene.bodies[f + 1])) :
-                                             0.;
-        for (const RateAndStateParameters &p :
-             fault.rate_and_state.values(basis.faults()[f].slave_surface.points,
-                                         fault.section()))
-          {
-            const auto [place, is_new] =
-              known.emplace(std::array<double, 5>{{p.a,
-                                                   p.b,
-                                                   p.reference_friction,
-                                                   p.reference_slip_rate,
-                                                   p.characteristic_slip}},
-                            result.laws.size());
-            result.of_node.push_back(place->second);
-            if (is_new)
-              result.laws.push_back(
-                {std::make_shared<const RateAndStateLaw>(p,
-                                                         fault.regularisation),
-                 fault.state_law,
-                 p.characteristic_slip,
-                 p.b,
-                 p.a,
-                 radiation_damping});
-          }
-      }
-    return result;
-  }
 
 
 
@@ -104,20 +49,26 @@ namespace StickSlip
             given.push_back(weight_above(scene, f, point));
         else if (fault.normal_stress_source == NormalStressSource::function)
           given = fault.normal_stress.values(points, fault.section());
-        const unsigned int first = k;
-        for (unsigned int i = 0; i < points.size(); ++i)
-          {
-            if (fault.normal_stress_source !=
-                NormalStressSource::initial_equilibrium)
-              stress[k] = given[i];
-            if (stress[k] < 0.)
-              {
-                stress[k] = 0.;
+        const unsigned int first        = k;
+        bool               has_friction = false;
+        for (const FaultPart &part : fault.parts(points))
+          for (const unsigned int i : part.positions)
+            {
+              double &sigma = stress[first + i];
+              if (fault.normal_stress_source !=
+                  NormalStressSource::initial_equilibrium)
+                sigma = given[i];
+              const bool is_free =
+                part.friction->has_prescribed_slip() ||
+                part.friction->kind == FrictionKind::frictionless;
+              has_friction = has_friction || !is_free;
+              if (sigma < 0. && !is_free)
                 ++n_in_tension;
-              }
-            ++k;
-          }
-        if (fault.normal_stress_source != NormalStressSource::function &&
+              sigma = std::max(sigma, 0.);
+              ++k;
+            }
+        if (has_friction &&
+            fault.normal_stress_source != NormalStressSource::function &&
             std::none_of(stress.begin() + first,
                          stress.begin() + k,
                          [](const double sigma) { return sigma > 0.; }))
@@ -144,10 +95,27 @@ namespace StickSlip
     state.velocity     = 0.;
     if (scene.time.inertia == Inertia::dynamic)
       state.acceleration = state.velocity;
+    bool follows = false;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
-      for (const double theta : scene.faults[f].initial_state.values(
-             basis.faults()[f].slave_surface.points, scene.faults[f].section()))
-        state.alpha.push_back(std::log(theta));
+      {
+        const FaultParameters         &fault = scene.faults[f];
+        const std::vector<Point<dim>> &points =
+          basis.faults()[f].slave_surface.points;
+        const unsigned int first = state.alpha.size();
+        state.alpha.resize(first + points.size(), 0.);
+        for (const FaultPart &part : fault.parts(points))
+          if (part.friction->kind == FrictionKind::rate_and_state)
+            {
+              const std::vector<double> theta =
+                part.friction->initial_state.values(part.select(points),
+                                                    part.section);
+              for (unsigned int i = 0; i < theta.size(); ++i)
+                state.alpha[first + part.positions[i]] = std::log(theta[i]);
+            }
+        follows = follows || fault.normal_stress_follows;
+      }
+    if (follows)
+      state.contact_pressure = equilibrium.contact_pressure;
     state.slip.resize(state.alpha.size());
     state.slip_rate.resize(state.alpha.size());
     state.balancing_traction = equilibrium.shear_traction;
@@ -156,17 +124,15 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                               \
-  template NodeLaws            make_node_laws<dim>(const SceneParameters<dim> &, \
-                                        const JumpBasis<dim> &);      \
-  template std::vector<double> make_normal_stress<dim>(                          \
-    const SceneParameters<dim> &,                                                \
-    const JumpBasis<dim> &,                                                      \
-    const InitialEquilibrium<dim> &,                                             \
-    unsigned int &);                                                             \
-  template SystemState<dim> make_initial_state<dim>(                             \
-    const SceneParameters<dim> &,                                                \
-    const JumpBasis<dim> &,                                                      \
+#define STICKSLIP_INSTANTIATE(dim)                      \
+  template std::vector<double> make_normal_stress<dim>( \
+    const SceneParameters<dim> &,                       \
+    const JumpBasis<dim> &,                             \
+    const InitialEquilibrium<dim> &,                    \
+    unsigned int &);                                    \
+  template SystemState<dim> make_initial_state<dim>(    \
+    const SceneParameters<dim> &,                       \
+    const JumpBasis<dim> &,                             \
     const InitialEquilibrium<dim> &);
 
   STICKSLIP_INSTANTIATE(2)

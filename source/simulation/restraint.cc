@@ -17,9 +17,16 @@ namespace StickSlip
       for (unsigned int k = faults.first_of_fault()[fault];
            k < faults.first_of_fault()[fault + 1];
            ++k)
-        if (faults.in_contact(k) && (faults.normal_stress()[k] > 0. ||
-                                     faults.law(k).radiation_damping > 0.))
-          return true;
+        {
+          // A coefficient that does not depend on the slip rate says nothing of
+          // how fast a body is that it does not hold.
+          const FaultLaw &law = faults.law(k);
+          if (faults.in_contact(k) &&
+              (law.is_prescribed || law.radiation_damping > 0. ||
+               (faults.normal_stress()[k] > 0. &&
+                law.friction->rate_scale() > 0.)))
+            return true;
+        }
       return false;
     }
 
@@ -71,7 +78,8 @@ namespace StickSlip
               "'Time/Inertia' = 'quasi-static': nothing holds the body '" +
               scene.bodies[first].name + "' along " + "xy"[axis] +
               ", neither a side with '" + "xy"[axis] +
-              " condition' = 'fixed' or 'velocity' nor friction at its faults, "
+              " condition' = 'fixed' or 'velocity' nor friction that grows with the "
+              "slip rate, "
               "so that without inertia its velocity is not determined; hold "
               "it, press its faults together, or choose quasi-dynamic or "
               "dynamic.");

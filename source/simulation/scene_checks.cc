@@ -238,8 +238,8 @@ namespace StickSlip
           const FaultParameters &fault  = scene.faults[i];
           const auto             points = fault_points(scene.bodies[i].geometry,
                                            scene.bodies[i + 1].geometry);
-          fault.rate_and_state.values(points, fault.section());
-          fault.initial_state.values(points, fault.section());
+          for (const FaultPart &part : fault.parts(points))
+            part.friction->check(part.select(points), part.section);
           if (fault.normal_stress_source == NormalStressSource::function)
             fault.normal_stress.values(points, fault.section());
         }

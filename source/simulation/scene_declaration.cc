@@ -66,7 +66,7 @@ namespace StickSlip
       for (FaultParameters &fault : scene.faults)
         {
           prm.enter_subsection(fault.name);
-          fault.add_parameters(prm);
+          fault.add_parameters(prm, dim);
           prm.leave_subsection();
         }
       prm.leave_subsection();

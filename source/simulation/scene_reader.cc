@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace StickSlip
 {
@@ -67,18 +68,45 @@ namespace StickSlip
 
 
 
+    std::vector<DeclaredEntry>::const_iterator
+    find_declared(const std::vector<DeclaredEntry> &entries,
+                  const Assignment                 &assignment)
+    {
+      return std::find_if(entries.begin(),
+                          entries.end(),
+                          [&assignment](const DeclaredEntry &entry) {
+                            return entry.name == assignment.entry &&
+                                   entry.sections == assignment.sections;
+                          });
+    }
+
+
+
+    // The same assignment to a region of a fault, if it is one to the fault and
+    // the region has such an entry.
+    std::optional<Assignment>
+    inherited_by(const std::string                &fault,
+                 const std::string                &region,
+                 const Assignment                 &assignment,
+                 const std::vector<DeclaredEntry> &entries)
+    {
+      if (assignment.sections != std::vector<std::string>{"Faults", fault})
+        return {};
+      Assignment copy = assignment;
+      copy.sections.insert(copy.sections.end(), {"Regions", region});
+      if (find_declared(entries, copy) == entries.end())
+        return {};
+      return copy;
+    }
+
+
+
     void
     apply(ParameterHandler                 &prm,
           const std::vector<DeclaredEntry> &entries,
           const Assignment                 &assignment)
     {
-      const auto declared =
-        std::find_if(entries.begin(),
-                     entries.end(),
-                     [&assignment](const DeclaredEntry &entry) {
-                       return entry.name == assignment.entry &&
-                              entry.sections == assignment.sections;
-                     });
+      const auto declared = find_declared(entries, assignment);
       if (declared == entries.end())
         throw InputError(naming(assignment) + ": there is no such entry; " +
                          alternatives(assignment, entries) + ".");
@@ -234,7 +262,14 @@ namespace StickSlip
     for (const std::string &name : names("Faults/Names", 1))
       {
         scene.faults.emplace_back();
-        scene.faults.back().name = name;
+        FaultParameters &fault = scene.faults.back();
+        fault.name             = name;
+        for (const std::string &region :
+             names(fault.section() + "/Regions/Names", 1))
+          {
+            fault.regions.emplace_back();
+            fault.regions.back().name = region;
+          }
       }
     if (scene.faults.size() + 1 != scene.bodies.size())
       {
@@ -265,8 +300,23 @@ namespace StickSlip
       ParameterHandler prm;
       declare_scene(prm, scene);
       const std::vector<DeclaredEntry> entries = declared_entries(prm);
+      const auto is_of_region = [](const Assignment &assignment) {
+        return assignment.sections.size() > 3 &&
+               assignment.sections[2] == "Regions";
+      };
       for (const Assignment &assignment : assignments)
-        apply(prm, entries, assignment);
+        if (!is_of_region(assignment))
+          apply(prm, entries, assignment);
+      // What a region does not say is as in its fault.
+      for (const FaultParameters &fault : scene.faults)
+        for (const FrictionRegion &region : fault.regions)
+          for (const Assignment &assignment : assignments)
+            if (std::optional<Assignment> inherited =
+                  inherited_by(fault.name, region.name, assignment, entries))
+              apply(prm, entries, *inherited);
+      for (const Assignment &assignment : assignments)
+        if (is_of_region(assignment))
+          apply(prm, entries, assignment);
     }
     complete_geometry(scene);
     if (scene.output.directory.empty())

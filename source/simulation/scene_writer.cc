@@ -36,6 +36,8 @@ namespace StickSlip
       scene.bodies[1].name = "BODY-ABOVE";
       scene.faults.resize(1);
       scene.faults[0].name = "FAULT";
+      scene.faults[0].regions.resize(1);
+      scene.faults[0].regions[0].name = "REGION";
       scene.boundary_conditions.resize(1);
       scene.boundary_conditions[0].body = "BODY";
       return scene;
@@ -49,6 +51,7 @@ namespace StickSlip
       static const std::map<std::string, std::string> displayed = {
         {"BODY", "<body>"},
         {"FAULT", "<fault>"},
+        {"REGION", "<region>"},
         {"BODY left", "<body> <side>"}};
 
       std::string joined;
@@ -105,18 +108,21 @@ namespace StickSlip
            "declarations in the program.\n\n"
         << "A parameter file consists of lines `set ENTRY = VALUE` inside "
            "`subsection NAME` ... `end`. Names in angle\nbrackets stand for "
-           "the names listed in `Bodies/Names`, `Faults/Names` and `Boundary "
-           "conditions/Sides`.\nLists have one number per axis: the table "
-           "shows those of three dimensions. `include FILE` takes in another\n"
-           "file, found next to the including one, whose values may be set "
-           "anew. `#` begins a comment. An entry is\noverridden on the command "
-           "line by `--set 'Section/Subsection/Entry=value'`.\n";
+           "the names listed in `Bodies/Names`, `Faults/Names`, "
+           "`Faults/<fault>/Regions/Names` and\n`Boundary conditions/Sides`. "
+           "Lists have one number per axis: the table shows those of three "
+           "dimensions.\n`include FILE` takes in another file, found next to "
+           "the including one, whose values may be set anew.\n`#` begins a "
+           "comment. An entry is overridden on the command line by `--set "
+           "'Section/Subsection/Entry=value'`.\n";
 
     std::string current = "none yet";
     for (const DeclaredEntry &entry : declared_entries(prm))
       {
         if (entry.sections.size() > 1 && entry.sections[1] == "BODY-ABOVE")
           continue; // The entries of all bodies are the same.
+        if (entry.sections.size() > 3 && entry.name != "Where")
+          continue; // Those of a region are those of the fault.
         const std::string section = displayed_section(entry.sections);
         if (section != current)
           {

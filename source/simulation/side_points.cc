@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
 
 #include <stickslip/simulation/side_points.h>
 
@@ -79,7 +80,21 @@ namespace StickSlip
         upper[axis] =
           std::min(below.lateral_upper[axis], above.lateral_upper[axis]);
       }
-    return points_of_flat_brick(lower, upper, dim - 1);
+
+    constexpr unsigned int  n_intervals = 20;
+    std::vector<Point<dim>> points;
+    for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1); ++i)
+      {
+        Point<dim> point = lower;
+        for (unsigned int axis = 0, place = i; axis + 1 < dim; ++axis)
+          {
+            point[axis] += (upper[axis] - lower[axis]) *
+                           (place % (n_intervals + 1)) / n_intervals;
+            place /= n_intervals + 1;
+          }
+        points.push_back(point);
+      }
+    return points;
   }
 
 

@@ -8,6 +8,7 @@
 #include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/restraint.h>
 #include <stickslip/simulation/scene_checks.h>
 #include <stickslip/simulation/simulation.h>
@@ -96,7 +97,8 @@ namespace StickSlip
               materials(scene),
               boundary_values,
               scene.gravity_vector(),
-              scene.time.inertia == Inertia::dynamic)
+              scene.time.inertia == Inertia::dynamic,
+              make_slip_rates(scene))
     , step_size_range(scene.time.end_time, 0.)
   {
     construction_timer.stop();
@@ -183,7 +185,11 @@ namespace StickSlip
       make_node_laws(scene, basis),
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
     check_restraint(scene, faults);
-    current       = make_initial_state(scene, basis, equilibrium);
+    current = make_initial_state(scene, basis, equilibrium);
+    following_stress =
+      std::make_unique<FollowingStress<dim>>(scene.faults,
+                                             faults,
+                                             current.contact_pressure);
     slip_at_build = current.slip;
     if (scene.output.energy_balance)
       energy = std::make_unique<EnergyBalance<dim>>(problem, faults, current);
@@ -249,6 +255,8 @@ namespace StickSlip
                                          problem.jump_basis(),
                                          fault_names(scene)));
       }
+    // From the next step on, in which friction has its work.
+    following_stress->update(faults, current.contact_pressure);
   }
 
 
@@ -365,6 +373,11 @@ namespace StickSlip
       summary.add_count("Faults",
                         "nodes in tension at the start, without friction",
                         nodes_in_tension);
+
+    if (following_stress && following_stress->largest_number_in_tension() > 0)
+      summary.add_count("Faults",
+                        "most nodes in tension at a time",
+                        following_stress->largest_number_in_tension());
 
     if (energy && problem.is_coupled())
       summarise_energy(summary, *energy, current, scene.time.inertia);

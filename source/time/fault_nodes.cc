@@ -42,21 +42,7 @@ namespace StickSlip
                 return nodes[k] < nodes[m];
               });
 
-    relative_stresses.resize(nodes.size());
-    for (unsigned int f = 0; f + 1 < first.size(); ++f)
-      {
-        double force = 0, area = 0;
-        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
-          if (active[k])
-            {
-              force += node_weights[k] * stresses[k];
-              area += node_weights[k];
-            }
-        if (force > 0.)
-          for (unsigned int k = first[f]; k < first[f + 1]; ++k)
-            relative_stresses[k] = stresses[k] * area / force;
-      }
-
+    set_relative_stresses();
     std::vector<unsigned int>                       term_nodes, law_indices;
     std::vector<double>                             term_weights, term_stresses;
     std::vector<std::shared_ptr<const FrictionLaw>> friction_laws;
@@ -192,6 +178,44 @@ namespace StickSlip
   FaultNodes<dim>::friction() const
   {
     return *functional;
+  }
+
+
+
+  template <int dim>
+  void
+  FaultNodes<dim>::set_relative_stresses()
+  {
+    relative_stresses.assign(nodes.size(), 0.);
+    for (unsigned int f = 0; f + 1 < first.size(); ++f)
+      {
+        double force = 0, area = 0;
+        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+          if (active[k])
+            {
+              force += node_weights[k] * stresses[k];
+              area += node_weights[k];
+            }
+        if (force > 0.)
+          for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+            relative_stresses[k] = stresses[k] * area / force;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FaultNodes<dim>::set_normal_stress(const std::vector<double> &normal_stress)
+  {
+    AssertDimension(normal_stress.size(), nodes.size());
+    stresses = normal_stress;
+    set_relative_stresses();
+    std::vector<double> of_terms;
+    of_terms.reserve(contact_positions.size());
+    for (const unsigned int k : contact_positions)
+      of_terms.push_back(stresses[k]);
+    functional->set_normal_stresses(of_terms);
   }
 
 

@@ -5,56 +5,36 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <stickslip/parameters/agreed_failure.h>
+#include <stickslip/time/contact_pressure.h>
 #include <stickslip/time/initial_equilibrium.h>
 #include <stickslip/tnnmg/linearised_operator.h>
-
-#include <limits>
 
 namespace StickSlip
 {
   namespace
   {
+    /** Friction resists what the reaction holds. */
     template <int dim>
-    void
-    set_contact_tractions(InitialEquilibrium<dim> &result,
-                          const JumpBasis<dim>    &basis,
-                          const NodePartition     &nodes,
-                          const NodalVector       &reaction)
+    std::vector<Tensor<1, dim - 1>>
+    shear_tractions(const JumpBasis<dim> &basis,
+                    const NodePartition  &nodes,
+                    const NodalVector    &reaction)
     {
+      std::vector<Tensor<1, dim - 1>> tractions;
       for (const FaultContact<dim> &contact : basis.faults())
         {
           const std::vector<Tensor<1, dim>> forces =
             gather_nodes<dim>(reaction, nodes, contact.slave_nodes);
-          const MortarCoupling &coupling = contact.coupling;
-          // The reaction pushes the slave side up if that is the upper one.
-          const double       sign = contact.sides.slave_is_upper() ? 1. : -1.;
-          const unsigned int n    = contact.slave_nodes.size();
-          for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
             {
-              unsigned int nearest  = k;
-              double       distance = std::numeric_limits<double>::max();
-              if (!coupling.active[k])
-                for (unsigned int m = 0; m < n; ++m)
-                  if (coupling.active[m] &&
-                      contact.slave_surface.points[k].distance(
-                        contact.slave_surface.points[m]) < distance)
-                    {
-                      nearest  = m;
-                      distance = contact.slave_surface.points[k].distance(
-                        contact.slave_surface.points[m]);
-                    }
-              // The unknown is averaging_factor times the jump of the node,
-              // and so is the force on it times the weight.
-              result.contact_pressure.push_back(
-                sign * forces[nearest][dim - 1] / coupling.weight[nearest]);
-              // Friction resists what the reaction holds.
-              result.shear_traction.emplace_back();
-              if (coupling.active[k])
+              tractions.emplace_back();
+              if (contact.coupling.active[k])
                 for (unsigned int d = 0; d < dim - 1; ++d)
-                  result.shear_traction.back()[d] =
-                    -forces[k][d] / coupling.weight[k];
+                  tractions.back()[d] =
+                    -forces[k][d] / contact.coupling.weight[k];
             }
         }
+      return tractions;
     }
   } // namespace
 
@@ -119,7 +99,10 @@ namespace StickSlip
     NodalVector reaction = problem.make_vector();
     hierarchy.matrix().residual(reaction, load, w);
     reaction *= -1.;
-    set_contact_tractions(result, problem.jump_basis(), finest.nodes, reaction);
+    result.contact_pressure =
+      contact_pressures(problem.jump_basis(), finest.nodes, reaction);
+    result.shear_traction =
+      shear_tractions(problem.jump_basis(), finest.nodes, reaction);
     result.displacement = problem.make_nodal_vector();
     problem.to_nodal(result.displacement, w);
     return result;

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/algebra/magnitude.h>
+#include <stickslip/time/contact_pressure.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/rigid_body_modes.h>
 #include <stickslip/time/shear_traction.h>
@@ -135,14 +136,16 @@ namespace StickSlip
   {
     const std::vector<Tensor<1, dim - 1>> slip_rate =
       faults.tangential_jumps(w);
-    std::vector<double> alpha(from.alpha.size());
+    std::vector<double> alpha = from.alpha;
     for (unsigned int k = 0; k < alpha.size(); ++k)
       {
         const FaultLaw &law = faults.law(k);
-        const double    V =
+        if (!law.has_state)
+          continue;
+        const double V =
           time_parameters.state_update == StateUpdate::exponential ?
-               0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
-               magnitude(slip_rate[k]);
+            0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
+            magnitude(slip_rate[k]);
         alpha[k] = updated_state(law.state_law,
                                  time_parameters.state_update,
                                  from.alpha[k],
@@ -191,8 +194,7 @@ namespace StickSlip
     problem.boundary_values().set_velocities(to.time, to.velocity);
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, to.velocity);
-    for (const unsigned int p : problem.hierarchy().finest().nonsmooth_nodes)
-      w.local_element(p * dim + dim - 1) = 0.;
+    problem.set_known_jumps(to.time, w);
 
     problem.combine(operator_coefficients(from, tau));
     try
@@ -266,6 +268,16 @@ namespace StickSlip
     to.slip_rate = faults.tangential_jumps(w);
     to.balancing_traction =
       balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
+    if (!from.contact_pressure.empty())
+      {
+        NodalVector reaction = problem.make_vector();
+        problem.hierarchy().matrix().residual(reaction, rhs, w);
+        reaction *= -1.;
+        to.contact_pressure =
+          contact_pressures(problem.jump_basis(),
+                            problem.hierarchy().finest().nodes,
+                            reaction);
+      }
     complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       {
@@ -273,6 +285,15 @@ namespace StickSlip
         result.failure   = "the solution is not a number";
       }
     return result;
+  }
+
+
+
+  template <int dim>
+  double
+  RateStateStep<dim>::longest_ramp() const
+  {
+    return problem.longest_ramp();
   }
 
 

@@ -14,20 +14,27 @@ namespace StickSlip
   namespace
   {
     /** The components that never take part: prescribed ones, those of hanging
-     * nodes, and the normal jumps, which are zero. Over the global numbers of
-     * all nodes. */
+     * nodes, the normal jumps, which are zero, and the jumps at the nodes where
+     * the slip is prescribed. Over the global numbers of all nodes. */
     template <int dim>
     NodeMask
-    fixed_components(const MeshLevel<dim> &level,
-                     const NodeMask       &dirichlet,
-                     const JumpBasis<dim> &basis)
+    fixed_components(
+      const MeshLevel<dim>                       &level,
+      const NodeMask                             &dirichlet,
+      const JumpBasis<dim>                       &basis,
+      const std::vector<types::global_dof_index> &prescribed_slip)
     {
       NodeMask mask = dirichlet;
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
         for (const auto &line : level.bodies[b]->bound_nodes().get_lines())
           mask.mask_node(level.global_node(b, line.index));
       for (const auto p : basis.contact_nodes())
-        mask.mask(p, dim - 1);
+        if (std::binary_search(prescribed_slip.begin(),
+                               prescribed_slip.end(),
+                               p))
+          mask.mask_node(p);
+        else
+          mask.mask(p, dim - 1);
       return mask;
     }
 
@@ -65,11 +72,13 @@ namespace StickSlip
 
 
   template <int dim>
-  SpatialProblem<dim>::SpatialProblem(const MeshHierarchy<dim>    &meshes,
-                                      const std::vector<Material> &materials,
-                                      BoundaryValues<dim>  &boundary_values,
-                                      const Tensor<1, dim> &gravity,
-                                      const bool            with_inertia)
+  SpatialProblem<dim>::SpatialProblem(
+    const MeshHierarchy<dim>          &meshes,
+    const std::vector<Material>       &materials,
+    BoundaryValues<dim>               &boundary_values,
+    const Tensor<1, dim>              &gravity,
+    const bool                         with_inertia,
+    const std::vector<SlipRates<dim>> &slip_rates)
     : mesh_hierarchy(meshes)
     , boundary(boundary_values)
   {
@@ -81,6 +90,11 @@ namespace StickSlip
                                            materials[lower].shear_modulus()));
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       dirichlet_masks.push_back(boundary.dirichlet_mask(l));
+    if (std::any_of(slip_rates.begin(),
+                    slip_rates.end(),
+                    [](const auto &rates) { return bool(rates); }))
+      prescribed_slip =
+        std::make_unique<PrescribedSlip<dim>>(meshes, sides, slip_rates);
 
     ElasticMatrices<dim> matrices =
       assemble_elastic_matrices(finest, materials, with_inertia);
@@ -302,14 +316,18 @@ namespace StickSlip
     std::vector<LevelDescription<dim>> &descriptions,
     const std::vector<JumpBasis<dim>>  &bases) const
   {
+    const std::vector<types::global_dof_index> no_nodes;
     for (unsigned int l = 0; l < descriptions.size(); ++l)
       {
         LevelDescription<dim> &level = descriptions[l];
         level.nonsmooth_nodes = bases[l].owned_contact_nodes(level.nodes);
-        level.fixed           = fixed_components(mesh_hierarchy.level(l),
-                                       dirichlet_masks[l],
-                                       bases[l])
-                        .local_part(level.nodes);
+        level.fixed =
+          fixed_components(mesh_hierarchy.level(l),
+                           dirichlet_masks[l],
+                           bases[l],
+                           prescribed_slip ? prescribed_slip->nodes(l) :
+                                             no_nodes)
+            .local_part(level.nodes);
       }
   }
 
@@ -439,6 +457,31 @@ namespace StickSlip
   SpatialProblem<dim>::boundary_values()
   {
     return boundary;
+  }
+
+
+
+  template <int dim>
+  void
+  SpatialProblem<dim>::set_known_jumps(const double time, NodalVector &w) const
+  {
+    const LevelDescription<dim> &finest = levels->finest();
+    for (const unsigned int p : finest.nonsmooth_nodes)
+      w.local_element(p * dim + dim - 1) = 0.;
+    if (prescribed_slip)
+      prescribed_slip->set_slip_rates(time, *finest_basis, finest.nodes, w);
+  }
+
+
+
+  template <int dim>
+  double
+  SpatialProblem<dim>::longest_ramp() const
+  {
+    const double of_sides = boundary.longest_ramp();
+    return prescribed_slip ?
+             std::max(of_sides, prescribed_slip->longest_ramp()) :
+             of_sides;
   }
 
 

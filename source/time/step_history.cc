@@ -46,8 +46,11 @@ namespace StickSlip
         result.in_contact[k] = faults.in_contact(k);
         const FaultLaw &law  = faults.law(k);
         const double    V    = magnitude(state.slip_rate[k]);
-        result.state_rate[k] =
-          state_rate(law.state_law, state.alpha[k], V, law.characteristic_slip);
+        if (law.has_state)
+          result.state_rate[k] = state_rate(law.state_law,
+                                            state.alpha[k],
+                                            V,
+                                            law.characteristic_slip);
         result.friction[k] = directed_friction(faults, state, k);
       }
     return result;
@@ -163,14 +166,16 @@ namespace StickSlip
           if (records[0].in_contact[k] && records[1].in_contact[k] &&
               records[2].in_contact[k])
             {
-              const FaultLaw &law      = faults.law(k);
-              const double    traction = deviation(&Record::friction, k) *
-                                      faults.relative_normal_stress()[k] /
-                                      std::max(law.a, law.b);
-              const double slip_rate =
-                deviation(&Record::slip_rate, k) /
-                std::max(fastest, law.characteristic_slip / h);
-              errors[k] = std::min(traction, slip_rate) * c0 / (cc + c0);
+              const FaultLaw &law = faults.law(k);
+              if (law.is_prescribed)
+                continue;
+              double error = deviation(&Record::slip_rate, k) /
+                             std::max(fastest, law.characteristic_slip / h);
+              if (const double scale = law.friction->rate_scale(); scale > 0.)
+                error = std::min(error,
+                                 deviation(&Record::friction, k) *
+                                   faults.relative_normal_stress()[k] / scale);
+              errors[k] = error * c0 / (cc + c0);
             }
       }
     return std::hypot(state_error, faults.l2_norm(errors));

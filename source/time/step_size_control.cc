@@ -21,7 +21,7 @@ namespace StickSlip
     , faults(faults)
     , parameters(parameters)
     , loads(loads)
-    , longest_ramp(loads.longest_ramp())
+    , longest_ramp(step.longest_ramp())
   {
     proposed = parameters.control == StepSizeControl::constant ?
                  parameters.largest_step :

@@ -4,12 +4,10 @@
 #ifndef stickslip_friction_fault_parameters_h
 #define stickslip_friction_fault_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <stickslip/friction/rate_and_state_fields.h>
-#include <stickslip/friction/state_evolution.h>
+#include <stickslip/friction/friction_parameters.h>
 
 #include <string>
+#include <vector>
 
 namespace StickSlip
 {
@@ -29,19 +27,51 @@ namespace StickSlip
   };
 
   /**
-   * Everything the scene says of one fault.
+   * A part of a fault with friction of its own.
    */
-  struct FaultParameters
+  struct FrictionRegion
   {
     std::string name;
 
-    /** a, b, mu0, V0, L. */
-    RateAndStateFields rate_and_state;
-    Regularisation     regularisation = Regularisation::truncated;
-    StateLaw           state_law      = StateLaw::aging;
+    /** The region is where this is greater than zero. */
+    SpatialField where = 1.;
 
-    /** Initial state theta, s. */
-    SpatialField initial_state = 1.;
+    FrictionParameters friction;
+  };
+
+  /**
+   * Those of some points of a fault at which the same parameters of friction
+   * hold.
+   */
+  struct FaultPart
+  {
+    const FrictionParameters *friction;
+
+    /** The subsection of its entries, for messages. */
+    std::string section;
+
+    /** Among the points, in ascending order. */
+    std::vector<unsigned int> positions;
+
+    /** Those of some values, one a point, that belong to the part. */
+    template <typename Value>
+    std::vector<Value>
+    select(const std::vector<Value> &values) const
+    {
+      std::vector<Value> selected;
+      for (const unsigned int k : positions)
+        selected.push_back(values[k]);
+      return selected;
+    }
+  };
+
+  /**
+   * Everything the scene says of one fault. Its friction is that of what no
+   * region covers.
+   */
+  struct FaultParameters : FrictionParameters
+  {
+    std::string name;
 
     NormalStressSource normal_stress_source =
       NormalStressSource::initial_equilibrium;
@@ -49,13 +79,27 @@ namespace StickSlip
     /** Normal stress, Pa, compression positive. */
     SpatialField normal_stress = 5e4;
 
+    /** Whether the normal stress changes with the contact force. */
+    bool normal_stress_follows = false;
+
+    /** Where several hold, the last of them counts. */
+    std::vector<FrictionRegion> regions;
+
     /** The subsection of its entries, for messages. */
     std::string
     section() const;
 
-    /** Declare the entries in the current subsection of @p prm. */
+    /** The parts that some points fall into: that of the fault itself first,
+     * then the regions, each of which may be empty. Throws InputError, see
+     * SpatialField::function(). */
+    template <int dim>
+    std::vector<FaultPart>
+    parts(const std::vector<Point<dim>> &points) const;
+
+    /** Declare the entries in the current subsection of @p prm, those of a
+     * scene in @p dim dimensions. */
     void
-    add_parameters(ParameterHandler &prm);
+    add_parameters(ParameterHandler &prm, const unsigned int dim);
   };
 } // namespace StickSlip
 

@@ -19,6 +19,10 @@ namespace StickSlip
    *
    * A law with mu(0) > 0 (a threshold, as Coulomb's) is meant to return that
    * value as coefficient(0, data): it is the one-sided derivative of Phi.
+   *
+   * A new law has to say coefficient(), derivative() and potential(); all other
+   * functions have an answer that fits laws without state. doc/friction.md
+   * shows what else it takes.
    */
   class FrictionLaw
   {
@@ -26,10 +30,11 @@ namespace StickSlip
     virtual ~FrictionLaw() = default;
 
     /**
-     * What the law needs to know of a node with state @p alpha.
+     * What the law needs to know of a node with state @p alpha; zero unless a
+     * law says something else.
      */
     virtual double
-    node_data(const double alpha) const = 0;
+    node_data(const double alpha) const;
 
     /**
      * The friction coefficient mu(V), dimensionless; at V = 0 the limit from
@@ -61,10 +66,11 @@ namespace StickSlip
 
     /**
      * Whether v -> Phi(|v|) is twice differentiable in a neighbourhood of
-     * |v| = V.
+     * |v| = V: but for V = 0 of a law with a threshold, unless a law says
+     * something else.
      */
     virtual bool
-    is_smooth(const double V, const double data) const = 0;
+    is_smooth(const double V, const double data) const;
 
     /**
      * The minimiser V >= 0 of
@@ -73,13 +79,41 @@ namespace StickSlip
      *
      * exact up to rounding. Problems with other signs or in several
      * dimensions are reduced to this one, see local_problem.h.
+     *
+     * Newton's method between bounds that close in on the minimiser, unless a
+     * law knows a faster way.
      */
     virtual double
     minimiser(const double c,
               const double r,
               const double k,
-              const double data) const = 0;
+              const double data) const;
+
+    /**
+     * By how much mu changes, about, where the slip rate changes by a factor of
+     * e: the measure of an error of mu for the control of the step size. Zero,
+     * the answer unless a law says something else, where mu tells nothing of
+     * the slip rate; errors then are those of the slip rate alone.
+     */
+    virtual double
+    rate_scale() const;
   };
+
+
+
+  inline double
+  FrictionLaw::node_data(const double) const
+  {
+    return 0.;
+  }
+
+
+
+  inline double
+  FrictionLaw::rate_scale() const
+  {
+    return 0.;
+  }
 
 
 

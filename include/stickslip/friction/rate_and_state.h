@@ -110,6 +110,12 @@ namespace StickSlip
               const double log_minimal_slip_rate) const override;
 
     /**
+     * The larger one of a and b.
+     */
+    double
+    rate_scale() const override;
+
+    /**
      * z = mu / a: max(0, ln(V/Vmin)) or asinh(V / (2 Vmin)). Well above Vmin
      * this is the logarithm of the slip rate up to a constant; unlike the
      * logarithm it stays regular at V = 0.

@@ -12,20 +12,10 @@
 namespace StickSlip
 {
   /**
-   * The friction laws of all slave nodes, from bottom to top. Nodes of a fault
-   * with the same parameters share one. With the radiation damping of plane
-   * shear waves into both bodies (Rice 1993) if the scene is quasi-dynamic.
-   */
-  template <int dim>
-  NodeLaws
-  make_node_laws(const SceneParameters<dim> &scene,
-                 const JumpBasis<dim>       &basis);
-
-  /**
    * The normal stress at all slave nodes from the source that each fault
    * names, Pa. A negative contact pressure counts as zero: a bilateral fault
-   * can be under tension, but then has no friction. Their number is added to
-   * @p n_in_tension.
+   * can be under tension, but then has no friction. The number of those that
+   * would have some is added to @p n_in_tension.
    */
   template <int dim>
   std::vector<double>

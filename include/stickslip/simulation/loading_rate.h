@@ -9,9 +9,10 @@
 namespace StickSlip
 {
   /**
-   * The largest magnitude of the velocities prescribed on outer sides, m/s:
-   * sampled at the corners and the centre of each side at 101 times over the
-   * run, without the ramp. Zero if none is prescribed.
+   * The largest magnitude of the velocities prescribed on outer sides and of
+   * the slip rates prescribed on faults, m/s: sampled at the corners and the
+   * centre of each side, at 101 times over the run, and at some points of each
+   * fault, without ramps. Zero if none is prescribed.
    */
   template <int dim>
   double

@@ -19,7 +19,8 @@ namespace StickSlip
               const BoundaryCondition<dim> &condition);
 
   /**
-   * The corners and the centre of the common part of two bodies' fault, m.
+   * A grid of 21 points along each axis in the common part of two bodies'
+   * fault, m.
    */
   template <int dim>
   std::vector<Point<dim>>

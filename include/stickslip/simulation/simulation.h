@@ -6,6 +6,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <stickslip/simulation/following_stress.h>
 #include <stickslip/simulation/run_record.h>
 #include <stickslip/simulation/scene_parameters.h>
 #include <stickslip/time/energy_balance.h>
@@ -82,6 +83,7 @@ namespace StickSlip
     BoundaryValues<dim>                      boundary_values;
     SpatialProblem<dim>                      problem;
     FaultNodes<dim>                          faults;
+    std::unique_ptr<FollowingStress<dim>>    following_stress;
     std::unique_ptr<RateStateStep<dim>>      rate_state_step;
     std::unique_ptr<StepSizeController<dim>> step_size_controller;
     std::unique_ptr<RunRecord<dim>>          record;

@@ -17,11 +17,14 @@ namespace StickSlip
   struct FaultLaw
   {
     std::shared_ptr<const FrictionLaw> friction;
-    StateLaw                           state_law = StateLaw::aging;
-    /** Characteristic slip L, m. */
+    /** Whether there is a state, and how it evolves. */
+    bool     has_state = true;
+    StateLaw state_law = StateLaw::aging;
+    /** Characteristic slip L, m: of the state, and the measure of an error of
+     * the slip. */
     double characteristic_slip = 0;
-    /** Evolution and direct effect, b and a, for error estimates. */
-    double b = 0, a = 0;
+    /** Whether the slip rate is known, so that friction has no say. */
+    bool is_prescribed = false;
     /** Radiation damping eta, Pa s/m: a traction eta V against the slip. */
     double radiation_damping = 0;
   };
@@ -112,6 +115,10 @@ namespace StickSlip
     const FaultFriction<dim> &
     friction() const;
 
+    /** Change the normal stress, Pa, one entry a slave node, none negative. */
+    void
+    set_normal_stress(const std::vector<double> &normal_stress);
+
     /** Hand the state to the functional. */
     void
     set_state(const std::vector<double> &alpha);
@@ -127,6 +134,9 @@ namespace StickSlip
     l2_norm(const std::vector<double> &values) const;
 
   private:
+    void
+    set_relative_stresses();
+
     NodeLaws                  node_laws;
     std::vector<unsigned int> first;
     std::vector<unsigned int> fault_of_node;

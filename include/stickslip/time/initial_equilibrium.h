@@ -18,11 +18,7 @@ namespace StickSlip
     /** Nodal displacement, m. */
     NodalVector displacement;
 
-    /**
-     * Contact pressure at each slave node, Pa, compression positive: the
-     * force that keeps the normal jump at zero over the node's weight. Slave
-     * nodes off contact have the value of the nearest node in contact.
-     */
+    /** At each slave node, Pa, see contact_pressures(). */
     std::vector<double> contact_pressure;
 
     /** Shear traction at each slave node that keeps the fault stuck, slave

@@ -54,6 +54,10 @@ namespace StickSlip
          const double            tau,
          const Prediction<dim>  *prediction = nullptr);
 
+    /** The length of the longest ramp of what is prescribed, s. */
+    double
+    longest_ramp() const;
+
     /** Work of all steps so far, those that failed included. */
     const StepCounts &
     total_counts() const;

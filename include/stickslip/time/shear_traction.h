@@ -19,9 +19,9 @@ namespace StickSlip
 
   /**
    * The friction coefficient at a slave node times the direction of slip,
-   * slave relative to master: from the law, or, where the slip rate is below
-   * least_slip_rate, from the balance of forces that the state remembers.
-   * Zero where nothing presses.
+   * slave relative to master: from the law, or, where that does not tell it,
+   * from the balance of forces that the state remembers. Zero where nothing
+   * presses.
    */
   template <int dim>
   Tensor<1, dim - 1>
@@ -30,10 +30,21 @@ namespace StickSlip
                     const unsigned int      k);
 
   /**
+   * The shear traction at a slave node, slave relative to master, Pa: what
+   * resists the slip, friction or that which keeps a prescribed slip. Without
+   * radiation damping.
+   */
+  template <int dim>
+  Tensor<1, dim - 1>
+  shear_traction(const FaultNodes<dim>  &faults,
+                 const SystemState<dim> &state,
+                 const unsigned int      k);
+
+  /**
    * The shear tractions at all slave nodes that balance the forces on them, Pa,
-   * where the slip rates of @p state are below least_slip_rate, and zero
-   * elsewhere; empty if there is no such node. @p A and @p b: the rate problem,
-   * @p w its solution. Collective.
+   * where the law does not tell them, and zero elsewhere: where the slip rates
+   * of @p state are below least_slip_rate or prescribed. Empty if there is no
+   * such node. @p A and @p b: the rate problem, @p w its solution. Collective.
    */
   template <int dim>
   std::vector<Tensor<1, dim - 1>>

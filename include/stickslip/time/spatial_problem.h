@@ -8,6 +8,7 @@
 #include <stickslip/mechanics/material.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
+#include <stickslip/time/prescribed_slip.h>
 #include <stickslip/tnnmg/level_hierarchy.h>
 
 #include <memory>
@@ -40,12 +41,15 @@ namespace StickSlip
     };
 
     /** @p materials from the lowest body to the highest; @p gravity: its
-     * acceleration, m/s^2. Without inertia M is never assembled. */
-    SpatialProblem(const MeshHierarchy<dim>    &meshes,
-                   const std::vector<Material> &materials,
-                   BoundaryValues<dim>         &boundary_values,
-                   const Tensor<1, dim>        &gravity,
-                   const bool                   with_inertia = true);
+     * acceleration, m/s^2. Without inertia M is never assembled.
+     * @p slip_rates: where the slip rate is known, one entry a fault, or none
+     * at all. */
+    SpatialProblem(const MeshHierarchy<dim>          &meshes,
+                   const std::vector<Material>       &materials,
+                   BoundaryValues<dim>               &boundary_values,
+                   const Tensor<1, dim>              &gravity,
+                   const bool                         with_inertia = true,
+                   const std::vector<SlipRates<dim>> &slip_rates   = {});
 
     /** Whether the equation has this term. */
     bool
@@ -105,6 +109,15 @@ namespace StickSlip
     BoundaryValues<dim> &
     boundary_values();
 
+    /** Set what is known of a vector of the jump basis, m/s: zero normal jumps,
+     * and the slip rates that are prescribed at @p time. */
+    void
+    set_known_jumps(const double time, NodalVector &w) const;
+
+    /** The length of the longest ramp of boundary values and slip rates, s. */
+    double
+    longest_ramp() const;
+
     /** A zero vector of the jump basis. */
     NodalVector
     make_vector() const;
@@ -145,8 +158,10 @@ namespace StickSlip
     std::vector<BlockMatrix<dim>> nodal_terms;
     std::vector<Term>             terms;
     /** Empty without gravity. */
-    NodalVector                           gravity_load;
-    std::vector<NodeMask>                 dirichlet_masks;
+    NodalVector           gravity_load;
+    std::vector<NodeMask> dirichlet_masks;
+    /** None where friction acts on all faults. */
+    std::unique_ptr<PrescribedSlip<dim>>  prescribed_slip;
     std::unique_ptr<JumpBasis<dim>>       finest_basis;
     std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
     TransferMatrix                        B_inverse;

@@ -46,9 +46,13 @@ namespace StickSlip
     /** Of the slip rate over the last step, like mean_velocity. */
     std::vector<Tensor<1, dim - 1>> mean_slip_rate;
 
-    /** Shear traction that resists the slip at nodes that slip more slowly than
-     * a number can say (shear_traction.h), Pa; empty if there are none. */
+    /** Shear traction that resists the slip at nodes where friction does not
+     * tell it (shear_traction.h), Pa; empty if there are none. */
     std::vector<Tensor<1, dim - 1>> balancing_traction;
+
+    /** At each slave node, Pa, see contact_pressures(); empty where no normal
+     * stress follows it. */
+    std::vector<double> contact_pressure;
   };
 
   /**

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_friction_coulomb_h
+#define stickslip_friction_coulomb_h
+
+#include <stickslip/friction/friction_law.h>
+
+namespace StickSlip
+{
+  /**
+   * Friction with a coefficient that does not depend on the slip rate: a
+   * threshold below which nothing slips, Phi(V) = mu V. With a coefficient of
+   * zero there is no friction.
+   */
+  class CoulombLaw : public FrictionLaw
+  {
+  public:
+    /**
+     * Constructor. Throws unless the coefficient is finite and not negative.
+     */
+    explicit CoulombLaw(const double coefficient);
+
+    double
+    coefficient(const double V, const double data) const override;
+
+    double
+    derivative(const double V, const double data) const override;
+
+    double
+    potential(const double V, const double data) const override;
+
+    double
+    minimiser(const double c,
+              const double r,
+              const double k,
+              const double data) const override;
+
+  private:
+    const double mu;
+  };
+} // namespace StickSlip
+
+#endif

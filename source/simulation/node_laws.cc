@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/friction/coulomb.h>
+#include <stickslip/simulation/node_laws.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** The slip rate of one side of a fault for a unit of traction that it
+     * radiates, m/(Pa s); a rigid body does not yield. */
+    template <int dim>
+    double
+    radiation_compliance(const BodyParameters<dim> &body)
+    {
+      return body.geometry.rigid ? 0. : 1. / body.material.shear_impedance();
+    }
+
+
+
+    /** The law of one kind of friction with the parameters of one node. */
+    FaultLaw
+    make_law(const FrictionParameters &friction, RateAndStateParameters p)
+    {
+      FaultLaw law;
+      law.has_state           = (friction.kind == FrictionKind::rate_and_state);
+      law.state_law           = friction.state_law;
+      law.characteristic_slip = p.characteristic_slip;
+      law.is_prescribed       = friction.has_prescribed_slip();
+      switch (friction.kind)
+        {
+          case FrictionKind::velocity_strengthening:
+            p.b = 0.;
+            [[fallthrough]];
+          case FrictionKind::rate_and_state:
+            law.friction =
+              std::make_shared<const RateAndStateLaw>(p,
+                                                      friction.regularisation);
+            break;
+          case FrictionKind::coulomb:
+            law.friction =
+              std::make_shared<const CoulombLaw>(p.reference_friction);
+            break;
+          case FrictionKind::frictionless:
+          case FrictionKind::welded:
+          case FrictionKind::prescribed_slip_rate:
+            law.friction = std::make_shared<const CoulombLaw>(0.);
+            break;
+        }
+      return law;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  NodeLaws
+  make_node_laws(const SceneParameters<dim> &scene, const JumpBasis<dim> &basis)
+  {
+    NodeLaws result;
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+      {
+        const std::vector<Point<dim>> &points =
+          basis.faults()[f].slave_surface.points;
+        const double radiation_damping =
+          scene.time.inertia == Inertia::quasi_dynamic ?
+            1. / (radiation_compliance(scene.bodies[f]) +
+                  radiation_compliance(scene.bodies[f + 1])) :
+            0.;
+        const unsigned int first = result.of_node.size();
+        result.of_node.resize(first + points.size());
+        for (const FaultPart &part : scene.faults[f].parts(points))
+          {
+            std::map<std::array<double, 5>, unsigned int> known;
+            const std::vector<RateAndStateParameters>     parameters =
+              part.friction->rate_and_state.values(part.select(points),
+                                                   part.section);
+            for (unsigned int i = 0; i < parameters.size(); ++i)
+              {
+                const RateAndStateParameters &p = parameters[i];
+                const auto [place, is_new] =
+                  known.emplace(std::array<double, 5>{{p.a,
+                                                       p.b,
+                                                       p.reference_friction,
+                                                       p.reference_slip_rate,
+                                                       p.characteristic_slip}},
+                                result.laws.size());
+                result.of_node[first + part.positions[i]] = place->second;
+                if (!is_new)
+                  continue;
+                result.laws.push_back(make_law(*part.friction, p));
+                result.laws.back().radiation_damping = radiation_damping;
+              }
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<SlipRates<dim>>
+  make_slip_rates(const SceneParameters<dim> &scene)
+  {
+    std::vector<SlipRates<dim>> result;
+    for (const FaultParameters &fault : scene.faults)
+      {
+        result.emplace_back();
+        if (!fault.has_prescribed_slip() &&
+            std::none_of(fault.regions.begin(),
+                         fault.regions.end(),
+                         [](const FrictionRegion &region) {
+                           return region.friction.has_prescribed_slip();
+                         }))
+          continue;
+        result.back() = [&fault](const std::vector<Point<dim>> &points) {
+          std::vector<std::optional<SlipRate<dim>>> known(points.size());
+          for (const FaultPart &part : fault.parts(points))
+            {
+              if (!part.friction->has_prescribed_slip())
+                continue;
+              const std::vector<Tensor<1, dim - 1>> rates =
+                part.friction->prescribed_slip_rates(part.select(points),
+                                                     part.section);
+              for (unsigned int i = 0; i < rates.size(); ++i)
+                known[part.positions[i]] =
+                  SlipRate<dim>{rates[i], part.friction->slip_rate_ramp_length};
+            }
+          return known;
+        };
+      }
+    return result;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                    \
+  template NodeLaws make_node_laws<dim>(const SceneParameters<dim> &, \
+                                        const JumpBasis<dim> &);      \
+  template std::vector<SlipRates<dim>> make_slip_rates<dim>(          \
+    const SceneParameters<dim> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip
