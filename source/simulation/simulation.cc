@@ -213,6 +213,7 @@ namespace StickSlip
     std::vector<StepResult<dim>> accepted;
     {
       TimerOutput::Scope section(timer, "Time steps");
+      following_stress->update(faults, current.contact_pressure);
       accepted = step_size_controller->advance(current);
     }
     for (StepResult<dim> &step : accepted)
@@ -255,8 +256,6 @@ namespace StickSlip
                                          problem.jump_basis(),
                                          fault_names(scene)));
       }
-    // From the next step on, in which friction has its work.
-    following_stress->update(faults, current.contact_pressure);
   }
 
 

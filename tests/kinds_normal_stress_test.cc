@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "endless_layers.h"
+#include "kinds_scenes.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  /** Layers without ends that are pressed together more and more while they
+   * creep at 1 mm/s, with mu = 0.6 there: from 1e4 Pa to twice that. */
+  SceneParameters<2>
+  pressed_layers(const std::vector<std::string> &more)
+  {
+    EndlessLayers scene;
+    scene.thickness                    = {{0.5, 0.5}};
+    scene.coarse_cells                 = {{{{3, 2}}, {{4, 2}}}};
+    scene.length                       = 1.;
+    scene.friction.reference_friction  = 0.6;
+    scene.friction.reference_slip_rate = 1e-3;
+    scene.normal_stress                = 1e4;
+    scene.velocity                     = 1e-3;
+    scene.ramp_length                  = 0.5;
+    for (Material &material : scene.material)
+      {
+        material.youngs_modulus  = 4e8;
+        material.shear_viscosity = material.bulk_viscosity = 0.;
+      }
+    return read_scene(
+      scene.text(),
+      std::vector<std::string>{
+        "Faults/fault/Friction=velocity strengthening",
+        "Boundary conditions/upper top/y condition=traction",
+        "Boundary conditions/upper top/y value=-1e4 * if(t < 4, t / 4, 1)",
+        "Time/Inertia=quasi-static"} +
+        more);
+  }
+} // namespace
+
+
+
+TEST(NormalStress, FollowsTheContactForceWithALagOfOneStep)
+{
+  const auto traction_at_end = [](const std::vector<std::string> &more) {
+    Simulation<2> simulation(pressed_layers(more), MPI_COMM_WORLD);
+    run(simulation);
+    const FaultSnapshot<2> fault = snapshots(simulation).front();
+    EXPECT_NEAR(mean(fault, fault.slip_rate), 1e-3, 5e-5);
+    return mean(fault, fault.shear_traction);
+  };
+  const std::vector<std::string> follows = {
+    "Faults/fault/Normal stress follows=true"};
+  const std::vector<std::string> to_the_end = {"Time/End time=6",
+                                               "Time/Largest step=0.25"};
+  EXPECT_NEAR(traction_at_end(to_the_end), 0.6 * 1e4, 2.);
+  EXPECT_NEAR(traction_at_end(to_the_end + follows), 0.6 * 2e4, 4.);
+
+  // While the pressure grows, the error is that of one step: the traction is
+  // that of the pressure 1.75e4 Pa less the growth in a step.
+  std::vector<double> tractions;
+  for (const std::string step : {"0.1", "0.05", "0.025"})
+    tractions.push_back(traction_at_end(
+      follows + std::vector<std::string>{"Time/Step size control=constant",
+                                         "Time/Largest step=" + step,
+                                         "Time/End time=3"}));
+  const double growth = 0.6 * 1e4 / 4.;
+  std::cout << "Traction behind by " << tractions[1] - tractions[0] << " and "
+            << tractions[2] - tractions[1] << " Pa, expected " << growth * 0.05
+            << " and " << growth * 0.025 << "\n";
+  EXPECT_NEAR(tractions[1] - tractions[0], growth * 0.05, 0.1 * growth * 0.05);
+  EXPECT_NEAR(tractions[2] - tractions[1],
+              growth * 0.025,
+              0.1 * growth * 0.025);
+}
+
+
+
+TEST(NormalStress, ThatFollowsCarriesTheWeightAtAnyOverlap)
+{
+  // The upper body slides off by a quarter of its length: what is left of the
+  // contact presses harder.
+  Simulation<2> simulation(
+    read_scene(creeping_bodies,
+               {"Faults/fault/Friction=velocity strengthening",
+                "Faults/fault/Initial state=1",
+                "Faults/fault/Normal stress=initial equilibrium",
+                "Faults/fault/Normal stress follows=true",
+                "Boundary conditions/upper top/x value=0.25",
+                "Boundary conditions/upper top/Ramp length=0.2",
+                "Faults/fault/Reference slip rate=0.25",
+                "Faults/fault/Characteristic slip=0.25",
+                "Gravity/Acceleration=1",
+                "TNNMG/Tolerance=1e-9",
+                "Time/Inertia=quasi-static",
+                "Time/Largest step=0.01",
+                "Time/End time=2"}),
+    MPI_COMM_WORLD);
+  simulation.set_up();
+  const double weight = 2. * 0.5 * Material().density;
+  unsigned int checks = 0, last_builds = 0;
+  while (!simulation.is_finished())
+    {
+      const unsigned int builds = simulation.spatial_problem().n_builds();
+      simulation.advance();
+      // The normal stress is that of the last step: of the old mapping, where
+      // there is a new one.
+      const bool is_of_old_mapping =
+        builds != last_builds ||
+        simulation.spatial_problem().n_builds() != builds;
+      last_builds = builds;
+      if (is_of_old_mapping)
+        continue;
+      const FaultSnapshot<2> fault = snapshots(simulation).front();
+      double                 force = 0.;
+      for (unsigned int k = 0; k < fault.weights.size(); ++k)
+        force += fault.weights[k] * fault.normal_stress[k];
+      EXPECT_NEAR(force, weight, 1e-10 * weight) << simulation.state().time;
+      ++checks;
+    }
+  EXPECT_GT(checks, 100u);
+  EXPECT_GT(simulation.spatial_problem().n_builds(), 20u);
+}
