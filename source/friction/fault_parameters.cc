@@ -31,8 +31,8 @@ namespace StickSlip
                "Normal stress follows",
                normal_stress_follows,
                "Whether the normal stress changes by as much as the contact "
-               "pressure has changed since the start, with a lag of one time "
-               "step; it stays as it is otherwise.");
+               "pressure has changed since the start; it stays as it is "
+               "otherwise.");
 
     prm.enter_subsection("Regions");
     std::vector<std::string> names;

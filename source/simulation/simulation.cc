@@ -71,6 +71,18 @@ namespace StickSlip
 
 
 
+    template <int dim>
+    std::vector<bool>
+    faults_that_follow(const SceneParameters<dim> &scene)
+    {
+      std::vector<bool> result;
+      for (const FaultParameters &fault : scene.faults)
+        result.push_back(fault.normal_stress_follows);
+      return result;
+    }
+
+
+
     /** The scene itself, if it runs on that many processes. */
     template <int dim>
     const SceneParameters<dim> &
@@ -186,18 +198,16 @@ namespace StickSlip
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
     check_restraint(scene, faults);
     current = make_initial_state(scene, basis, equilibrium);
-    following_stress =
-      std::make_unique<FollowingStress<dim>>(scene.faults,
-                                             faults,
-                                             current.contact_pressure);
+    if (!current.contact_pressure.empty())
+      following_stress = FollowingStress<dim>(faults_that_follow(scene),
+                                              faults,
+                                              current.contact_pressure);
     slip_at_build = current.slip;
     if (scene.output.energy_balance)
       energy = std::make_unique<EnergyBalance<dim>>(problem, faults, current);
 
-    rate_state_step      = std::make_unique<RateStateStep<dim>>(problem,
-                                                           faults,
-                                                           scene.time,
-                                                           scene.tnnmg);
+    rate_state_step = std::make_unique<RateStateStep<dim>>(
+      problem, faults, scene.time, scene.tnnmg, following_stress);
     step_size_controller = make_step_size_controller(*rate_state_step,
                                                      faults,
                                                      scene.time,
@@ -213,7 +223,6 @@ namespace StickSlip
     std::vector<StepResult<dim>> accepted;
     {
       TimerOutput::Scope section(timer, "Time steps");
-      following_stress->update(faults, current.contact_pressure);
       accepted = step_size_controller->advance(current);
     }
     for (StepResult<dim> &step : accepted)
@@ -234,6 +243,15 @@ namespace StickSlip
     step_size_range.first  = std::min(step_size_range.first, step.step_size);
     step_size_range.second = std::max(step_size_range.second, step.step_size);
 
+    if (following_stress.is_needed())
+      {
+        // A later step may have set another one.
+        following_stress.apply(faults, current.contact_pressure);
+        most_in_tension =
+          std::max(most_in_tension,
+                   following_stress.n_in_tension(faults,
+                                                 current.contact_pressure));
+      }
     if (energy)
       {
         TimerOutput::Scope section(timer, "Energy balance");
@@ -373,10 +391,10 @@ namespace StickSlip
                         "nodes in tension at the start, without friction",
                         nodes_in_tension);
 
-    if (following_stress && following_stress->largest_number_in_tension() > 0)
+    if (most_in_tension > 0)
       summary.add_count("Faults",
                         "most nodes in tension at a time",
-                        following_stress->largest_number_in_tension());
+                        most_in_tension);
 
     if (energy && problem.is_coupled())
       summarise_energy(summary, *energy, current, scene.time.inertia);

@@ -17,14 +17,17 @@
 namespace StickSlip
 {
   template <int dim>
-  RateStateStep<dim>::RateStateStep(SpatialProblem<dim>   &problem,
-                                    FaultNodes<dim>       &fault_nodes,
-                                    const TimeParameters  &time_parameters,
-                                    const TNNMGParameters &tnnmg_parameters)
+  RateStateStep<dim>::RateStateStep(
+    SpatialProblem<dim>        &problem,
+    FaultNodes<dim>            &fault_nodes,
+    const TimeParameters       &time_parameters,
+    const TNNMGParameters      &tnnmg_parameters,
+    const FollowingStress<dim> &following_stress)
     : problem(problem)
     , faults(fault_nodes)
     , time_parameters(time_parameters)
     , tnnmg_parameters(tnnmg_parameters)
+    , following_stress(following_stress)
     , generalised_alpha(time_parameters.spectral_radius)
     , formula(choose_formula(time_parameters))
   {
@@ -159,6 +162,21 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<double>
+  RateStateStep<dim>::contact_pressure(const NodalVector &rhs,
+                                       const NodalVector &w) const
+  {
+    NodalVector reaction = problem.make_vector();
+    problem.hierarchy().matrix().residual(reaction, rhs, w);
+    reaction *= -1.;
+    return contact_pressures(problem.jump_basis(),
+                             problem.hierarchy().finest().nodes,
+                             reaction);
+  }
+
+
+
+  template <int dim>
   SolveSummary
   RateStateStep<dim>::improve(const NodalVector      &rhs,
                               NodalVector            &w,
@@ -182,12 +200,19 @@ namespace StickSlip
                            const Prediction<dim>  *prediction)
   {
     StepResult<dim> result;
-    result.step_size         = tau;
-    SystemState<dim> &to     = result.state;
-    StepCounts       &counts = result.counts;
-    to.time                  = from.time + tau;
-    to.alpha                 = prediction ? prediction->alpha : from.alpha;
-    const NodalVector rhs    = right_hand_side(from, tau);
+    result.step_size          = tau;
+    SystemState<dim> &to      = result.state;
+    StepCounts       &counts  = result.counts;
+    to.time                   = from.time + tau;
+    to.alpha                  = prediction ? prediction->alpha : from.alpha;
+    const NodalVector rhs     = right_hand_side(from, tau);
+    const bool        follows = following_stress.is_needed();
+    if (follows)
+      {
+        to.contact_pressure =
+          prediction ? prediction->contact_pressure : from.contact_pressure;
+        following_stress.apply(faults, to.contact_pressure);
+      }
 
     // The unknown starts from the prediction, with what is prescribed.
     to.velocity = prediction ? prediction->velocity : from.velocity;
@@ -239,8 +264,15 @@ namespace StickSlip
         std::vector<double> change = alpha;
         for (unsigned int k = 0; k < change.size(); ++k)
           change[k] -= to.alpha[k];
-        to.alpha                = std::move(alpha);
-        const double difference = faults.l2_norm(change);
+        to.alpha          = std::move(alpha);
+        double difference = faults.l2_norm(change);
+        if (follows)
+          {
+            to.contact_pressure = contact_pressure(rhs, w);
+            difference          = std::hypot(difference,
+                                    faults.l2_norm(following_stress.apply(
+                                      faults, to.contact_pressure)));
+          }
         if (!std::isfinite(difference) ||
             !std::isfinite(rate.iterations.back().correction_norm))
           result.failure = "the solution is not a number";
@@ -268,16 +300,6 @@ namespace StickSlip
     to.slip_rate = faults.tangential_jumps(w);
     to.balancing_traction =
       balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
-    if (!from.contact_pressure.empty())
-      {
-        NodalVector reaction = problem.make_vector();
-        problem.hierarchy().matrix().residual(reaction, rhs, w);
-        reaction *= -1.;
-        to.contact_pressure =
-          contact_pressures(problem.jump_basis(),
-                            problem.hierarchy().finest().nodes,
-                            reaction);
-      }
     complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       {

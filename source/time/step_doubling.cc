@@ -18,9 +18,15 @@ namespace StickSlip
       Prediction<dim> result;
       result.velocity = b.velocity;
       result.velocity.sadd(1. + s, -s, a.velocity);
-      result.alpha = b.alpha;
-      for (unsigned int k = 0; k < result.alpha.size(); ++k)
-        result.alpha[k] += s * (b.alpha[k] - a.alpha[k]);
+      const auto extrapolate = [s](std::vector<double>       &values,
+                                   const std::vector<double> &before) {
+        for (unsigned int k = 0; k < values.size(); ++k)
+          values[k] += s * (values[k] - before[k]);
+      };
+      result.alpha            = b.alpha;
+      result.contact_pressure = b.contact_pressure;
+      extrapolate(result.alpha, a.alpha);
+      extrapolate(result.contact_pressure, a.contact_pressure);
       return result;
     }
   } // namespace

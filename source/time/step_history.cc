@@ -34,10 +34,11 @@ namespace StickSlip
   StepHistory<dim>::record(const SystemState<dim> &state) const
   {
     Record result;
-    result.time      = state.time;
-    result.velocity  = state.velocity;
-    result.alpha     = state.alpha;
-    result.slip_rate = state.slip_rate;
+    result.time             = state.time;
+    result.velocity         = state.velocity;
+    result.alpha            = state.alpha;
+    result.slip_rate        = state.slip_rate;
+    result.contact_pressure = state.contact_pressure;
     result.state_rate.resize(faults.size());
     result.friction.resize(faults.size());
     result.in_contact.resize(faults.size());
@@ -94,7 +95,9 @@ namespace StickSlip
   StepHistory<dim>::predict(const SystemState<dim> &state,
                             const double            tau) const
   {
-    Prediction<dim> prediction{state.velocity, predict_alpha(tau)};
+    Prediction<dim> prediction{state.velocity,
+                               predict_alpha(tau),
+                               state.contact_pressure};
     if (records.size() >= 2)
       {
         const double ratio = tau / (records[0].time - records[1].time);
@@ -102,6 +105,10 @@ namespace StickSlip
                                 records[0].velocity,
                                 -ratio,
                                 records[1].velocity);
+        for (unsigned int k = 0; k < prediction.contact_pressure.size(); ++k)
+          prediction.contact_pressure[k] +=
+            ratio *
+            (records[0].contact_pressure[k] - records[1].contact_pressure[k]);
       }
     return prediction;
   }

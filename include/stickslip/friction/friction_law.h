@@ -21,7 +21,7 @@ namespace StickSlip
    * value as coefficient(0, data): it is the one-sided derivative of Phi.
    *
    * A new law has to say coefficient(), derivative() and potential(); all other
-   * functions have an answer that fits laws without state. doc/friction.md
+   * functions have an answer that fits laws without state. doc/adding_a_law.md
    * shows what else it takes.
    */
   class FrictionLaw

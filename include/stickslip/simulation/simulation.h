@@ -6,7 +6,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <stickslip/simulation/following_stress.h>
 #include <stickslip/simulation/run_record.h>
 #include <stickslip/simulation/scene_parameters.h>
 #include <stickslip/time/energy_balance.h>
@@ -83,7 +82,7 @@ namespace StickSlip
     BoundaryValues<dim>                      boundary_values;
     SpatialProblem<dim>                      problem;
     FaultNodes<dim>                          faults;
-    std::unique_ptr<FollowingStress<dim>>    following_stress;
+    FollowingStress<dim>                     following_stress;
     std::unique_ptr<RateStateStep<dim>>      rate_state_step;
     std::unique_ptr<StepSizeController<dim>> step_size_controller;
     std::unique_ptr<RunRecord<dim>>          record;
@@ -95,6 +94,7 @@ namespace StickSlip
     std::pair<double, double>       step_size_range;
     std::vector<Tensor<1, dim - 1>> slip_at_build;
     unsigned int                    nodes_in_tension       = 0;
+    unsigned int                    most_in_tension        = 0;
     unsigned int                    equilibrium_iterations = 0;
     std::string                     ending;
   };

@@ -5,7 +5,7 @@
 #define stickslip_time_rate_state_step_h
 
 #include <stickslip/time/backward_differences.h>
-#include <stickslip/time/fault_nodes.h>
+#include <stickslip/time/following_stress.h>
 #include <stickslip/time/generalised_alpha.h>
 #include <stickslip/time/newmark.h>
 #include <stickslip/time/time_parameters.h>
@@ -21,6 +21,8 @@ namespace StickSlip
   {
     NodalVector         velocity;
     std::vector<double> alpha;
+    /** Pa, empty where no normal stress follows it. */
+    std::vector<double> contact_pressure;
   };
 
   /**
@@ -30,7 +32,8 @@ namespace StickSlip
    *
    * The nested iteration solves the rate problem, updates the state and starts
    * again. The interleaved one updates the state after every single iteration
-   * of the rate solver and stops when both have settled.
+   * of the rate solver and stops when both have settled. Where normal stresses
+   * follow the contact pressure, they are updated together with the state.
    *
    * A step never changes the state that it starts from; what does not
    * converge is reported, not used.
@@ -39,10 +42,11 @@ namespace StickSlip
   class RateStateStep
   {
   public:
-    RateStateStep(SpatialProblem<dim>   &problem,
-                  FaultNodes<dim>       &fault_nodes,
-                  const TimeParameters  &time_parameters,
-                  const TNNMGParameters &tnnmg_parameters);
+    RateStateStep(SpatialProblem<dim>        &problem,
+                  FaultNodes<dim>            &fault_nodes,
+                  const TimeParameters       &time_parameters,
+                  const TNNMGParameters      &tnnmg_parameters,
+                  const FollowingStress<dim> &following_stress = {});
 
     /** To be called after the contact mapping has been rebuilt. */
     void
@@ -94,6 +98,10 @@ namespace StickSlip
     NodalVector
     right_hand_side(const SystemState<dim> &from, const double tau) const;
 
+    /** The contact pressure of a solution of the rate problem, Pa. */
+    std::vector<double>
+    contact_pressure(const NodalVector &rhs, const NodalVector &w) const;
+
     /** Displacement, slip, and accelerations or mean rates of @p to, of which
      * velocity and slip rates are known. */
     void
@@ -111,6 +119,7 @@ namespace StickSlip
     FaultNodes<dim>                      &faults;
     const TimeParameters                 &time_parameters;
     const TNNMGParameters                &tnnmg_parameters;
+    const FollowingStress<dim>            following_stress;
     const GeneralisedAlpha                generalised_alpha;
     const Formula                         formula;
     std::unique_ptr<NonsmoothSolver<dim>> solver;

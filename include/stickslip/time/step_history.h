@@ -45,6 +45,8 @@ namespace StickSlip
       NodalVector         velocity;
       std::vector<double> alpha;
       std::vector<double> state_rate;
+      /** Empty where no normal stress follows it. */
+      std::vector<double> contact_pressure;
       /** Slave relative to master, m/s. */
       std::vector<Tensor<1, dim - 1>> slip_rate;
       /** Friction coefficient times the direction of the slip rate. */
