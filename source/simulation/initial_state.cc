@@ -3,6 +3,7 @@
 
 #include <stickslip/parameters/input_error.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/lithostatic_stress.h>
 
 #include <algorithm>
 #include <array>
@@ -13,30 +14,32 @@ namespace StickSlip
 {
   namespace
   {
-    /** The slip rate of one side of a fault for a unit of traction that it
-     * radiates, m/(Pa s); a rigid body does not yield. */
+    /** The radiation damping of a fault at some points of it, Pa s/m: the
+     * slip rates of the two sides for a unit of traction that they radiate add
+     * up; a rigid body does not yield. */
     template <int dim>
-    double
-    radiation_compliance(const BodyParameters<dim> &body)
+    std::vector<double>
+    radiation_damping(const SceneParameters<dim>    &scene,
+                      const unsigned int             fault,
+                      const std::vector<Point<dim>> &points)
     {
-      return body.geometry.rigid ? 0. : 1. / body.material.shear_impedance();
-    }
-
-
-
-    /** How much the weight of what lies above a point of fault @p f presses on
-     * it, Pa. */
-    template <int dim>
-    double
-    weight_above(const SceneParameters<dim> &scene,
-                 const unsigned int          f,
-                 const Point<dim>           &point)
-    {
-      double density_times_thickness = 0;
-      for (unsigned int i = f + 1; i < scene.bodies.size(); ++i)
-        density_times_thickness += scene.bodies[i].material.density *
-                                   scene.bodies[i].geometry.thickness_at(point);
-      return -scene.gravity_vector()[dim - 1] * density_times_thickness;
+      std::vector<double> damping(points.size(), 0.);
+      if (scene.time.inertia != Inertia::quasi_dynamic)
+        return damping;
+      for (const unsigned int side : {fault, fault + 1})
+        {
+          const BodyParameters<dim> &body = scene.bodies[side];
+          if (body.geometry.rigid)
+            continue;
+          const auto material = body.material.template function<dim>();
+          for (unsigned int k = 0; k < points.size(); ++k)
+            damping[k] +=
+              1. /
+              material(body.geometry.within_sides(points[k])).shear_impedance();
+        }
+      for (double &value : damping)
+        value = 1. / value;
+      return damping;
     }
   } // namespace
 
@@ -49,23 +52,23 @@ namespace StickSlip
     NodeLaws result;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        const FaultParameters                        &fault = scene.faults[f];
-        std::map<std::array<double, 5>, unsigned int> known;
-        const double                                  radiation_damping =
-          scene.time.inertia == Inertia::quasi_dynamic ?
-                                             1. / (radiation_compliance(scene.bodies[f]) +
-                  radiation_compliance(scene.bodies[f + 1])) :
-                                             0.;
-        for (const RateAndStateParameters &p :
-             fault.rate_and_state.values(basis.faults()[f].slave_surface.points,
-                                         fault.section()))
+        const FaultParameters         &fault = scene.faults[f];
+        const std::vector<Point<dim>> &points =
+          basis.faults()[f].slave_surface.points;
+        const std::vector<RateAndStateParameters> parameters =
+          fault.rate_and_state.values(points, fault.section());
+        const std::vector<double> damping = radiation_damping(scene, f, points);
+        std::map<std::array<double, 6>, unsigned int> known;
+        for (unsigned int i = 0; i < points.size(); ++i)
           {
+            const RateAndStateParameters &p = parameters[i];
             const auto [place, is_new] =
-              known.emplace(std::array<double, 5>{{p.a,
+              known.emplace(std::array<double, 6>{{p.a,
                                                    p.b,
                                                    p.reference_friction,
                                                    p.reference_slip_rate,
-                                                   p.characteristic_slip}},
+                                                   p.characteristic_slip,
+                                                   damping[i]}},
                             result.laws.size());
             result.of_node.push_back(place->second);
             if (is_new)
@@ -76,7 +79,7 @@ namespace StickSlip
                  p.characteristic_slip,
                  p.b,
                  p.a,
-                 radiation_damping});
+                 damping[i]});
           }
       }
     return result;
@@ -99,16 +102,14 @@ namespace StickSlip
         const std::vector<Point<dim>> &points =
           basis.faults()[f].slave_surface.points;
         std::vector<double> given;
-        if (fault.normal_stress_source == NormalStressSource::lithostatic)
-          for (const Point<dim> &point : points)
-            given.push_back(weight_above(scene, f, point));
-        else if (fault.normal_stress_source == NormalStressSource::function)
+        if (fault.normal_stress_source == NormalStressSource::function)
           given = fault.normal_stress.values(points, fault.section());
+        else if (fault.normal_stress_source == NormalStressSource::lithostatic)
+          given = lithostatic_stress(scene, f, points);
         const unsigned int first = k;
         for (unsigned int i = 0; i < points.size(); ++i)
           {
-            if (fault.normal_stress_source !=
-                NormalStressSource::initial_equilibrium)
+            if (!given.empty())
               stress[k] = given[i];
             if (stress[k] < 0.)
               {

@@ -19,6 +19,13 @@ namespace StickSlip
               const BoundaryCondition<dim> &condition);
 
   /**
+   * The corners and the centre of a body, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  body_points(const BodyGeometry<dim> &body);
+
+  /**
    * The corners and the centre of the common part of two bodies' fault, m.
    */
   template <int dim>

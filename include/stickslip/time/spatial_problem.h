@@ -5,7 +5,7 @@
 #define stickslip_time_spatial_problem_h
 
 #include <stickslip/mechanics/boundary_values.h>
-#include <stickslip/mechanics/material.h>
+#include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/tnnmg/level_hierarchy.h>
@@ -41,11 +41,11 @@ namespace StickSlip
 
     /** @p materials from the lowest body to the highest; @p gravity: its
      * acceleration, m/s^2. Without inertia M is never assembled. */
-    SpatialProblem(const MeshHierarchy<dim>    &meshes,
-                   const std::vector<Material> &materials,
-                   BoundaryValues<dim>         &boundary_values,
-                   const Tensor<1, dim>        &gravity,
-                   const bool                   with_inertia = true);
+    SpatialProblem(const MeshHierarchy<dim>          &meshes,
+                   const std::vector<MaterialFields> &materials,
+                   BoundaryValues<dim>               &boundary_values,
+                   const Tensor<1, dim>              &gravity,
+                   const bool                         with_inertia = true);
 
     /** Whether the equation has this term. */
     bool
