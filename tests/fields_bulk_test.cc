@@ -2,18 +2,17 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
 
 #include <gtest/gtest.h>
 #include <stickslip/mechanics/elastic_assembly.h>
-#include <stickslip/parameters/input_error.h>
-#include <stickslip/simulation/lithostatic_stress.h>
-#include <stickslip/simulation/simulation.h>
 
 #include "stacked_bodies.h"
-#include "stepping_scene.h"
 
 using namespace StickSlip;
-using namespace StickSlip::Tests;
 
 namespace
 {
@@ -77,71 +76,6 @@ namespace
     A.vmult(product, u);
     return u * product;
   }
-
-
-
-  /**
-   * The displacement of the top of a column of height 2 that stands on its
-   * lower side, under its weight and a pressure of 1e4 Pa on top. With nu = 0
-   * it becomes no wider, so that the problem is one-dimensional.
-   */
-  double
-  shortening(const std::string &E,
-             const std::string &rho,
-             const unsigned int n_cells)
-  {
-    const std::string text = R"(
-subsection Bodies
-  set Names = column
-  subsection column
-    set Lower lateral corner = 0
-    set Upper lateral corner = 1
-    set Thickness            = 2
-    set Coarse cells         = 2, )" +
-                             std::to_string(n_cells) + R"(
-    set Refinement passes    = 0
-    subsection Material
-      set Young modulus = )" +
-                             E +
-                             R"(
-      set Density       = )" +
-                             rho +
-                             R"(
-      set Poisson ratio = 0
-    end
-  end
-end
-subsection Boundary conditions
-  set Sides = column bottom, column top
-  subsection column bottom
-    set x condition = fixed
-    set y condition = fixed
-  end
-  subsection column top
-    set y condition = traction
-    set y value     = -1e4
-    set Ramp length = 0
-  end
-end
-)";
-    const SceneParameters<2> scene = read_scene(text);
-    const MeshHierarchy<2>   meshes({scene.bodies[0].geometry}, MPI_COMM_WORLD);
-    BoundaryValues<2> boundary(meshes, scene.boundary_conditions, {"column"});
-    SpatialProblem<2> problem(meshes,
-                              {scene.bodies[0].material},
-                              boundary,
-                              scene.gravity);
-    const InitialEquilibrium<2> equilibrium =
-      solve_initial_equilibrium(problem);
-    double at_top = 0, n_top = 0;
-    for (const auto node :
-         surface_nodes(meshes.finest(), 0, BodyMesh<2>::upper_side))
-      {
-        at_top += equilibrium.displacement.local_element(2 * node + 1);
-        ++n_top;
-      }
-    return -at_top / n_top;
-  }
 } // namespace
 
 
@@ -165,9 +99,12 @@ TEST(BulkFields, ExpressionsOfConstantValueGiveTheMatricesOfNumbers)
       EXPECT_LT(largest_difference(one.stiffness, two.stiffness), 1e-15);
       EXPECT_LT(largest_difference(one.damping, two.damping), 1e-15);
 
-      NodalVector load = assemble_gravity(meshes.finest(), {expressions}, 9.81);
-      load -= assemble_gravity(meshes.finest(), {numbers}, 9.81);
-      EXPECT_LT(load.linfty_norm(), 1e-11);
+      const Tensor<1, 2> g({3., -9.81});
+      const NodalVector  load = assemble_gravity(meshes.finest(), {numbers}, g);
+      NodalVector        difference =
+        assemble_gravity(meshes.finest(), {expressions}, g);
+      difference -= load;
+      EXPECT_LT(difference.linfty_norm(), 1e-15 * load.linfty_norm());
     }
 }
 
@@ -176,7 +113,7 @@ TEST(BulkFields, ExpressionsOfConstantValueGiveTheMatricesOfNumbers)
 namespace
 {
   /**
-   * Parameters that are linear in x and y on the unit brick, whose energies of
+   * Parameters that are quadratic in x and y on a brick, whose energies of
    * simple motions are known. With two Gauss points per axis they are exact.
    */
   template <int dim>
@@ -186,20 +123,26 @@ namespace
     const MeshHierarchy<dim> meshes = make_brick<dim>(3);
     const MeshLevel<dim>    &level  = meshes.finest();
     const BodyGeometry<dim>  body = stack<dim>({make_body<dim>(1., {}, 0)})[0];
-    const Point<dim> centre = 0.5 * (body.lower_corner() + body.upper_corner());
+    // The means of the coordinates and of their squares.
+    const Point<dim> mean = 0.5 * (body.lower_corner() + body.upper_corner());
+    Point<dim>       square;
     double           volume = 1.;
     for (unsigned int d = 0; d < dim; ++d)
-      volume *= body.upper_corner()[d] - body.lower_corner()[d];
+      {
+        const double extent = body.upper_corner()[d] - body.lower_corner()[d];
+        square[d]           = mean[d] * mean[d] + extent * extent / 12.;
+        volume *= extent;
+      }
 
-    MaterialFields material = make_material("2e7*(20 + x + 2*y)",
+    MaterialFields material = make_material("2e7*(20 + x^2 + 2*y)",
                                             "0",
-                                            "1e3*(30 + x - y)",
-                                            "1e3*(40 - x + y)",
-                                            "1e3*(50 + 2*x - y)");
-    const double   E        = 2e7 * (20. + centre[0] + 2. * centre[1]);
-    const double   rho      = 1e3 * (30. + centre[0] - centre[1]);
-    const double   eta      = 1e3 * (40. - centre[0] + centre[1]);
-    const double   zeta     = 1e3 * (50. + 2. * centre[0] - centre[1]);
+                                            "1e3*(30 + x - y^2)",
+                                            "1e3*(40 - x^2 + y)",
+                                            "1e3*(50 + 2*x - y^2)");
+    const double   E        = 2e7 * (20. + square[0] + 2. * mean[1]);
+    const double   rho      = 1e3 * (30. + mean[0] - square[1]);
+    const double   eta      = 1e3 * (40. - square[0] + mean[1]);
+    const double   zeta     = 1e3 * (50. + 2. * mean[0] - square[1]);
     for (const VolumetricStrain strain :
          {VolumetricStrain::full, VolumetricStrain::cell_mean})
       {
@@ -240,18 +183,21 @@ namespace
                     (4. / 3. * eta + zeta) * volume,
                     1e-11 * (eta + zeta) * volume);
 
-        NodalVector load   = assemble_gravity(level, {material}, 9.81);
-        double      weight = 0;
+        Tensor<1, dim> g, weight;
+        g[0]                   = 3.;
+        g[dim - 1]             = -9.81;
+        const NodalVector load = assemble_gravity(level, {material}, g);
         for (unsigned int i = 0; i < level.nodes.n_owned(); ++i)
-          weight -= load.local_element(i * dim + dim - 1);
-        EXPECT_NEAR(weight, 9.81 * rho * volume, 1e-10 * weight);
+          for (unsigned int c = 0; c < dim; ++c)
+            weight[c] += load.local_element(i * dim + c);
+        EXPECT_LT((weight - rho * volume * g).norm(), 1e-11 * weight.norm());
       }
   }
 } // namespace
 
 
 
-TEST(BulkFields, EnergiesOfLinearParametersAreExact)
+TEST(BulkFields, EnergiesOfQuadraticParametersAreExact)
 {
   expect_exact_energies<2>();
   expect_exact_energies<3>();
@@ -259,139 +205,144 @@ TEST(BulkFields, EnergiesOfLinearParametersAreExact)
 
 
 
-TEST(BulkFields, ColumnOfLayersIsShortenedExactly)
+namespace
 {
-  // Layers of 0.5 m: E = 1e7, 4e7, 2e7, 1e8 Pa, rho = 1, 2, 3, 4 t/m^3.
-  const std::string E =
-    "if(y < 0.5, 1e7, if(y < 1, 4e7, if(y < 1.5, 2e7, 1e8)))";
-  const std::string rho =
-    "if(y < 0.5, 1e3, if(y < 1, 2e3, if(y < 1.5, 3e3, 4e3)))";
-  const double moduli[] = {1e7, 4e7, 2e7, 1e8};
-  double       exact = 0, above = 1e4;
-  for (int layer = 3; layer >= 0; --layer)
-    {
-      const double weight = 1e3 * (layer + 1) * 9.81 * 0.5;
-      exact += (above + weight / 2.) * 0.5 / moduli[layer];
-      above += weight;
-    }
-  // Linear elements are exact at the nodes of a one-dimensional problem.
-  EXPECT_NEAR(shortening(E, rho, 4), exact, 1e-9 * exact);
-  EXPECT_NEAR(shortening(E, rho, 8), exact, 1e-9 * exact);
-}
+  /** A displacement that is zero on the sides of the unit square. */
+  Tensor<1, 2>
+  chosen_displacement(const Point<2> &x)
+  {
+    return Tensor<1, 2>(
+      {std::sin(numbers::PI * x[0]) * std::sin(numbers::PI * x[1]),
+       x[0] * (1. - x[0]) * x[1] * (1. - x[1]) * (1. + 2. * x[0])});
+  }
 
 
 
-TEST(BulkFields, ColumnOfSmoothStiffnessConvergesWithSecondOrder)
-{
-  const QIterated<1> quadrature(QGauss<1>(4), 50);
-  double             exact = 0;
-  for (unsigned int q = 0; q < quadrature.size(); ++q)
+  /** Differences of fourth order: what is left of them is far below the errors
+   * of the elements. */
+  template <typename Function>
+  auto
+  derivative(const Function    &function,
+             const Point<2>    &x,
+             const unsigned int axis)
+  {
+    const double   h = 1e-3;
+    const Point<2> e = h * Point<2>::unit_vector(axis);
+    return (8. * (function(Point<2>(x + e)) - function(Point<2>(x - e))) -
+            (function(Point<2>(x + 2. * e)) - function(Point<2>(x - 2. * e)))) /
+           (12. * h);
+  }
+
+
+
+  SymmetricTensor<2, 2>
+  chosen_stress(const Point<2> &x)
+  {
+    const double E      = 1e7 * (2. + std::sin(2. * x[0] + 3. * x[1]));
+    const double nu     = 0.2 + 0.2 * x[0] * x[1];
+    const double mu     = E / (2. * (1. + nu));
+    const double lambda = E * nu / ((1. + nu) * (1. - 2. * nu));
+    Tensor<2, 2> G;
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int d = 0; d < 2; ++d)
+        G[c][d] = derivative(chosen_displacement, x, d)[c];
+    const SymmetricTensor<2, 2> eps = symmetrize(G);
+    return 2. * mu * eps + lambda * trace(eps) * unit_symmetric_tensor<2>();
+  }
+
+
+
+  /** The L2 norm of the error of the chosen displacement, m^2. */
+  double
+  manufactured_error(const unsigned int n_cells)
+  {
+    BodyGeometry<2> square = make_body<2>(1., {{n_cells, n_cells}}, 0);
+    square.lateral_lower.fill(0.);
+    square.lateral_upper.fill(1.);
+    const MeshHierarchy<2> meshes({square}, MPI_COMM_WORLD);
+    const MeshLevel<2>    &level = meshes.finest();
+    const BlockMatrix<2>   K =
+      assemble_elastic_matrices(
+        level, {make_material("1e7*(2 + sin(2*x + 3*y))", "0.2 + 0.2*x*y")})
+        .stiffness;
+
+    // One in the inside.
+    const NodalVector inside =
+      interpolate(level, [](const unsigned int, const Point<2> &x) {
+        const bool is_inside =
+          std::min(x[0], x[1]) > 1e-10 && std::max(x[0], x[1]) < 1. - 1e-10;
+        return Tensor<1, 2>({double(is_inside), double(is_inside)});
+      });
+    struct Operator
     {
-      // The weight above y of rho = 2e3 + 1e3 y is its integral up to 2.
-      const double y     = 2. * quadrature.point(q)[0];
-      const double above = 1e4 + 9.81 * (2e3 * (2. - y) + 5e2 * (4. - y * y));
-      exact += above / (1e7 * std::exp(y)) * 2. * quadrature.weight(q);
-    }
-  double last = 0;
-  for (const unsigned int n : {2, 4, 8, 16})
-    {
-      const double error =
-        std::abs(shortening("1e7*exp(y)", "2e3 + 1e3*y", n) - exact) / exact;
-      if (last > 0.)
+      const BlockMatrix<2> &K;
+      const NodalVector    &inside;
+
+      void
+      vmult(NodalVector &result, const NodalVector &u) const
+      {
+        K.vmult(result, u);
+        result.scale(inside);
+      }
+    };
+    const DoFHandler<2>                 &dofs = level.bodies[0]->dof_handler();
+    const QGauss<2>                      quadrature(4);
+    FEValues<2>                          fe_values(dofs.get_fe(),
+                          quadrature,
+                          update_values | update_quadrature_points |
+                            update_JxW_values);
+    std::vector<types::global_dof_index> local(4);
+    const auto for_each_point = [&](const auto &action) {
+      for (const auto &cell : dofs.active_cell_iterators())
         {
-          EXPECT_GT(last / error, 3.5) << n;
-          EXPECT_LT(last / error, 4.5) << n;
+          fe_values.reinit(cell);
+          cell->get_dof_indices(local);
+          for (const unsigned int q : fe_values.quadrature_point_indices())
+            action(q, fe_values.quadrature_point(q), fe_values.JxW(q));
         }
+    };
+    NodalVector load = level.nodes.make_vector(), u = load;
+    for_each_point([&](const unsigned int q,
+                       const Point<2>    &x,
+                       const double       w) {
+      const SymmetricTensor<2, 2> along[2] = {derivative(chosen_stress, x, 0),
+                                              derivative(chosen_stress, x, 1)};
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          load.local_element(level.node(0, local[i]) * 2 + c) -=
+            (along[0][c][0] + along[1][c][1]) * fe_values.shape_value(i, q) * w;
+    });
+    load.scale(inside);
+    SolverControl         control(2000, 1e-10 * load.l2_norm());
+    SolverCG<NodalVector> solver(control);
+    solver.solve(Operator{K, inside}, u, load, PreconditionIdentity());
+
+    double square_of_error = 0.;
+    for_each_point(
+      [&](const unsigned int q, const Point<2> &x, const double w) {
+        Tensor<1, 2> error = chosen_displacement(x);
+        for (unsigned int i = 0; i < 4; ++i)
+          for (unsigned int c = 0; c < 2; ++c)
+            error[c] -= u.local_element(level.node(0, local[i]) * 2 + c) *
+                        fe_values.shape_value(i, q);
+        square_of_error += error.norm_square() * w;
+      });
+    return std::sqrt(square_of_error);
+  }
+} // namespace
+
+
+
+TEST(BulkFields, AManufacturedDisplacementConvergesWithSecondOrder)
+{
+  double last = 0;
+  for (const unsigned int n : {4, 8, 16, 32})
+    {
+      const double error = manufactured_error(n);
+      std::cout << n << " x " << n << " cells: error " << error << " m^2\n";
+      if (last > 0.)
+        EXPECT_NEAR(std::log2(last / error), 2., 0.1) << n;
       last = error;
     }
-  EXPECT_LT(last, 1e-3);
-}
-
-
-
-TEST(BulkFields, TheSofterSideIsTheSlaveWhereStiffnessVaries)
-{
-  // The lower body is soft on the whole, but not next to the fault.
-  const auto slave_is_upper = [](const std::string &E) {
-    return SteppingScene(creeping_bodies,
-                         {"Bodies/lower/Material/Young modulus=" + E})
-      .problem.jump_basis()
-      .faults()[0]
-      .sides.slave_is_upper();
-  };
-  EXPECT_TRUE(slave_is_upper("if(y > -0.1, 4e8, 1e6)"));
-  EXPECT_FALSE(slave_is_upper("if(y > -0.1, 4e6, 1e9)"));
-}
-
-
-
-TEST(BulkFields, LithostaticStressIsTheIntegralOfTheDensityAbove)
-{
-  const SceneParameters<2> scene =
-    read_scene(creeping_bodies,
-               {"Gravity/Acceleration=10",
-                "Bodies/upper/Material/Density=1e3*(2 + x) + 4e3*y"});
-  const std::vector<double> stress =
-    lithostatic_stress(scene, 0, {Point<2>(-1., 0.), Point<2>(0.5, 0.)});
-  // The upper body reaches from 0 to 0.5.
-  EXPECT_NEAR(stress[0], 10. * (1e3 * 0.5 + 2e3 * 0.25), 1e-8);
-  EXPECT_NEAR(stress[1], 10. * (2.5e3 * 0.5 + 2e3 * 0.25), 1e-8);
-
-  const SceneParameters<2> constant =
-    read_scene(creeping_bodies, {"Gravity/Acceleration=10"});
-  EXPECT_EQ(lithostatic_stress(constant, 0, {Point<2>(0.3, 0.)})[0],
-            5e3 * 10. * 0.5);
-}
-
-
-
-TEST(BulkFields, ValuesOutOfRangeAreFoundAtPointsOfTheMesh)
-{
-  // Corners and centre are fine.
-  const SceneParameters<2> scene =
-    read_scene(creeping_bodies,
-               {"Bodies/upper/Material/Young modulus="
-                "if(abs(x - 0.4) < 0.1, -1, 1e7)"});
-  try
-    {
-      Simulation<2> simulation(scene, MPI_COMM_WORLD);
-      ADD_FAILURE() << "no error";
-    }
-  catch (const InputError &error)
-    {
-      const std::string message = error.what();
-      for (const std::string part :
-           {"'Bodies/upper/Material/Young modulus' = 'if(",
-            "is -1 at (0.",
-            ") m, but must be a number > 0 everywhere."})
-        EXPECT_NE(message.find(part), std::string::npos) << message;
-    }
-}
-
-
-
-TEST(BulkFields, RunsOfNumbersAndOfTheSameExpressionsAgree)
-{
-  const auto end_of_run = [](const std::vector<std::string> &overrides) {
-    SteppingScene scene(creeping_bodies, overrides);
-    scene.advance_until(0.3);
-    return scene.state;
-  };
-  const SystemState<2> one = end_of_run({});
-  const SystemState<2> two =
-    end_of_run({"Bodies/lower/Material/Young modulus=4.12e7 + 0*x",
-                "Bodies/upper/Material/Shear viscosity=2e5 + 0*y"});
-  EXPECT_NEAR(one.time, two.time, 1e-12);
-  for (unsigned int k = 0; k < one.alpha.size(); ++k)
-    {
-      EXPECT_NEAR(one.slip_rate[k][0],
-                  two.slip_rate[k][0],
-                  1e-9 * one.slip_rate[k].norm());
-      EXPECT_NEAR(one.alpha[k], two.alpha[k], 1e-9);
-    }
-  // With other values it is another run.
-  const SystemState<2> three =
-    end_of_run({"Bodies/lower/Material/Young modulus=4.12e7*(1 + 0.5*x)"});
-  EXPECT_GT(std::abs(three.slip_rate[3][0] - one.slip_rate[3][0]),
-            1e-4 * one.slip_rate[3].norm());
+  EXPECT_LT(last, 2e-3);
 }
