@@ -180,7 +180,7 @@ TEST(BodyFields, MistakesAreFoundBeforeTheMeshes)
   expect_error("Young modulus",
                "1e7*x",
                {"is -1e+07 at (-1, 0) m, but must be a number > 0"});
-  expect_error("Young modulus", "1e7*q", {"cannot be used: ", "'q'"});
+  expect_error("Young modulus", "1e7*q", {"cannot be used: ", "\"q\""});
   expect_error("Young modulus",
                "table " + in_depth,
                {"the table depends on z, but in two dimensions"});
