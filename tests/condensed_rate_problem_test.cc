@@ -81,13 +81,13 @@ namespace
   void
   SpringSlider::compare(const Regularisation regularisation)
   {
-    SpatialProblem<2>          &problem   = simulation.spatial_problem();
-    const SystemState<2>       &state     = simulation.state();
-    const FaultNodes<2>        &faults    = simulation.fault_nodes();
-    const MeshLevel<2>         &level     = simulation.meshes().finest();
-    const FaultContact<2>      &contact   = problem.jump_basis().faults()[0];
-    const std::vector<Material> materials = {scene.bodies[0].material,
-                                             scene.bodies[1].material};
+    SpatialProblem<2>     &problem = simulation.spatial_problem();
+    const SystemState<2>  &state   = simulation.state();
+    const FaultNodes<2>   &faults  = simulation.fault_nodes();
+    const MeshLevel<2>    &level   = simulation.meshes().finest();
+    const FaultContact<2> &contact = problem.jump_basis().faults()[0];
+    const std::vector<MaterialFields> materials = {scene.bodies[0].material,
+                                                   scene.bodies[1].material};
 
     // The Newmark step in the nodal basis, bodies apart.
     ElasticMatrices<2> matrices = assemble_elastic_matrices(level, materials);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <stickslip/mechanics/elastic_assembly.h>
 
-#include <sstream>
+#include <set>
 
 #include "stepping_scene.h"
 
@@ -102,6 +102,7 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
   EXPECT_EQ(patch.faults.laws().laws.size(), 2u);
   const std::vector<Point<2>> nodes = fault_nodes_of(patch);
   unsigned int                n_in  = 0;
+  std::set<const FaultLaw *>  inside, outside;
   for (unsigned int k = 0; k < nodes.size(); ++k)
     {
       const bool is_in = std::abs(nodes[k][0]) < 0.51;

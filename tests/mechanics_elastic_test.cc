@@ -35,7 +35,9 @@ namespace
           materials[b].bulk_viscosity    = 1e3 * (5. - b);
           materials[b].volumetric_strain = volumetric_strain;
         }
-      matrices = assemble_elastic_matrices(meshes.finest(), materials);
+      matrices =
+        assemble_elastic_matrices(meshes.finest(),
+                                  {materials.begin(), materials.end()});
     }
 
     double
@@ -245,7 +247,7 @@ namespace
     const double      g     = 9.81;
     const NodalVector load =
       assemble_gravity<dim>(scene.meshes.finest(),
-                            scene.materials,
+                            {scene.materials.begin(), scene.materials.end()},
                             -g * Point<dim>::unit_vector(dim - 1));
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {

@@ -162,7 +162,9 @@ namespace
     materials[1].shear_viscosity = 7e3;
     for (const MeshLevel<dim> *level : {&meshes.level(1), &meshes.finest()})
       {
-        const auto matrices = assemble_elastic_matrices(*level, materials);
+        const auto matrices =
+          assemble_elastic_matrices(*level,
+                                    {materials.begin(), materials.end()});
         for (unsigned int b = 0; b < bodies.size(); ++b)
           {
             const Reference<dim> reference(*level->bodies[b], materials[b]);
@@ -195,7 +197,7 @@ TEST(ElasticMatrices, HangingNodesHaveEmptyRowsAndColumns)
   const MeshHierarchy<2> meshes(spring_slider_bodies(), MPI_COMM_WORLD);
   const MeshLevel<2>    &level = meshes.finest();
   const auto             matrices =
-    assemble_elastic_matrices(level, std::vector<Material>(2));
+    assemble_elastic_matrices(level, std::vector<MaterialFields>(2));
   NodalVector hanging_nodes = level.nodes.make_vector(),
               product       = hanging_nodes;
   unsigned int n_hanging    = 0;

@@ -50,8 +50,8 @@ TEST(SceneReader, SetsWhatTheFileSays)
   EXPECT_EQ(scene.bodies[0].name, "lower");
   EXPECT_EQ(scene.bodies[0].geometry.coarse_cells[0], 16u);
   EXPECT_EQ(scene.bodies[0].geometry.coarse_cells[1], 1u);
-  EXPECT_EQ(scene.bodies[0].material.youngs_modulus, 1e7);
-  EXPECT_EQ(scene.bodies[1].material.youngs_modulus, 4.12e7);
+  EXPECT_EQ(scene.bodies[0].material.youngs_modulus.constant(), 1e7);
+  EXPECT_EQ(scene.bodies[1].material.youngs_modulus.constant(), 4.12e7);
   EXPECT_EQ(scene.bodies[0].geometry.lower_corner(), Point<2>(-2.5, -0.3));
   EXPECT_EQ(scene.bodies[1].geometry.lower_corner(), Point<2>(-1, 0));
   EXPECT_EQ(scene.bodies[1].geometry.upper_corner(), Point<2>(2.5, 1));
@@ -101,7 +101,7 @@ TEST(SceneReader, WrittenParametersGiveTheSameScene)
   const SceneParameters<2> again =
     SceneReader(folder.file("again.prm")).read<2>();
   EXPECT_EQ(as_text(again), as_text(scene));
-  EXPECT_EQ(again.bodies[1].material.density, 1e4 / 3);
+  EXPECT_EQ(again.bodies[1].material.density.constant(), 1e4 / 3);
   EXPECT_EQ(again.faults[0].rate_and_state.a.constant(), 0.1 + 0.2);
   EXPECT_EQ(again.time.tolerance, 1e-4 / 7);
   EXPECT_EQ(again.bodies[0].geometry.lateral_lower[0], -2.0 / 3);
@@ -146,7 +146,7 @@ TEST(SceneReader, OverridesActAfterTheFile)
                  "Output/Output directory=a=b"})
       .read<2>();
   EXPECT_EQ(scene.time.end_time, 4);
-  EXPECT_EQ(scene.bodies[0].material.youngs_modulus, 5e7);
+  EXPECT_EQ(scene.bodies[0].material.youngs_modulus.constant(), 5e7);
   EXPECT_EQ(scene.faults[0].initial_state.text(), "if(x==0, 1, 2)");
   EXPECT_EQ(scene.output.directory, "a=b");
 

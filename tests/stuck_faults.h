@@ -54,7 +54,7 @@ namespace StickSlip
       : meshes(bodies, communicator, min_nodes_per_process)
       , materials(materials)
       , boundary(meshes, conditions, names(bodies.size()))
-      , problem(meshes, materials, boundary, gravity)
+      , problem(meshes, {materials.begin(), materials.end()}, boundary, gravity)
     {}
 
     /** With gravity of this size along the last axis. */

@@ -88,7 +88,7 @@ namespace
     top.expression[0] = load.value;
     BoundaryValues<2> boundary(meshes, {bottom, top}, names);
     SpatialProblem<2> problem(meshes,
-                              std::vector<Material>(n_bodies, material),
+                              std::vector<MaterialFields>(n_bodies, material),
                               boundary,
                               Tensor<1, 2>());
 

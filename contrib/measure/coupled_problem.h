@@ -67,7 +67,7 @@ namespace Measure
       return problem->hierarchy().finest().nodes.n_global() * dim;
     }
 
-    std::vector<Material>                materials;
+    std::vector<MaterialFields>          materials;
     std::unique_ptr<MeshHierarchy<dim>>  meshes;
     std::unique_ptr<BoundaryValues<dim>> boundary;
     std::unique_ptr<SpatialProblem<dim>> problem;

@@ -98,9 +98,9 @@ namespace
     geometry.coarse_cells.fill(dim == 2 ? 11 : 3);
     geometry.uniform_refinements = dim == 2 ? 6 : 4;
     geometry.refinement_passes   = 0;
-    const MeshHierarchy<dim>    meshes({geometry}, MPI_COMM_WORLD);
-    const std::vector<Material> materials(1);
-    const ElasticMatrices<dim>  terms =
+    const MeshHierarchy<dim>          meshes({geometry}, MPI_COMM_WORLD);
+    const std::vector<MaterialFields> materials(1);
+    const ElasticMatrices<dim>        terms =
       assemble_elastic_matrices(meshes.finest(), materials);
     BlockMatrix<dim> matrix(terms.mass.shared_sparsity());
     constexpr double tau = 1e-3;

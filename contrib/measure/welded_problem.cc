@@ -158,7 +158,8 @@ namespace Measure
 
     const auto compute =
       [&](const typename DoFHandler<dim>::cell_iterator &cell) {
-        const Material &material = body_at(cell->center()[dim - 1]).material;
+        const Material material =
+          body_at(cell->center()[dim - 1]).material.constants();
         // Elastic and viscous stress at once: both are isotropic.
         const double mu =
           tau / 2. * material.shear_modulus() + material.shear_viscosity;
@@ -249,9 +250,9 @@ namespace Measure
           {
             force[q] += scene.gravity_vector();
             for (unsigned int i = 0; i < local.size(); ++i)
-              local(i) += body_at(cell->center()[dim - 1]).material.density *
-                          (force[q] * fe_values[velocity].value(i, q)) *
-                          fe_values.JxW(q);
+              local(i) +=
+                body_at(cell->center()[dim - 1]).material.density.constant() *
+                (force[q] * fe_values[velocity].value(i, q)) * fe_values.JxW(q);
           }
         constraints.distribute_local_to_global(local, dofs, rhs);
       }

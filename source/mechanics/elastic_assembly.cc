@@ -7,6 +7,8 @@
 
 #include <stickslip/mechanics/elastic_assembly.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   namespace
@@ -113,6 +115,136 @@ namespace StickSlip
 
 
 
+    /** What to evaluate, besides @p flags, for parameters that vary. */
+    UpdateFlags
+    with_points(const UpdateFlags                  flags,
+                const std::vector<MaterialFields> &materials)
+    {
+      const bool all_are_constant =
+        std::all_of(materials.begin(),
+                    materials.end(),
+                    [](const MaterialFields &m) { return m.are_constant(); });
+      return all_are_constant ? flags : flags | update_quadrature_points;
+    }
+
+
+
+    /**
+     * The materials of all bodies at the quadrature points of a cell.
+     */
+    template <int dim>
+    class MaterialsOfCell
+    {
+    public:
+      explicit MaterialsOfCell(const std::vector<MaterialFields> &fields)
+      {
+        for (const MaterialFields &field : fields)
+          if (field.are_constant())
+            {
+              functions.emplace_back();
+              materials.push_back({field.constants()});
+            }
+          else
+            {
+              functions.push_back(field.function<dim>());
+              materials.emplace_back();
+            }
+      }
+
+      /** At the points of a cell of a body. */
+      void
+      reinit(const unsigned int body, const FEValues<dim> &fe_values)
+      {
+        current = body;
+        if (!varies())
+          return;
+        materials[body].clear();
+        for (const Point<dim> &point : fe_values.get_quadrature_points())
+          materials[body].push_back(functions[body](point));
+      }
+
+      bool
+      varies() const
+      {
+        return static_cast<bool>(functions[current]);
+      }
+
+      /** At a quadrature point. */
+      const Material &
+      operator[](const unsigned int q) const
+      {
+        return materials[current][varies() ? q : 0];
+      }
+
+    private:
+      /** None for bodies whose parameters are numbers. */
+      std::vector<std::function<Material(const Point<dim> &)>> functions;
+      /** One for each quadrature point, or only one. */
+      std::vector<std::vector<Material>> materials;
+      unsigned int                       current = 0;
+    };
+
+
+
+    /** The moduli of isotropic_block() at a point. */
+    struct Moduli
+    {
+      double lambda, mu, viscous_lambda, eta;
+    };
+
+
+
+    /** The moduli of what resists a change of volume on the mean. */
+    struct MeanModuli
+    {
+      double bulk = 0, viscous = 0;
+    };
+
+
+
+    /**
+     * The deviator is that of three dimensions, in plane strain too. What
+     * resists a change of volume either joins it, in the form of Lame's first
+     * parameter, or acts on the mean over the cell.
+     */
+    Moduli
+    moduli(const Material &material)
+    {
+      Moduli result;
+      result.mu             = material.shear_modulus();
+      result.eta            = material.shear_viscosity;
+      result.lambda         = -2. * result.mu / 3.;
+      result.viscous_lambda = -2. * result.eta / 3.;
+      if (material.volumetric_strain == VolumetricStrain::full)
+        {
+          result.lambda = material.lame_lambda();
+          result.viscous_lambda += material.bulk_viscosity;
+        }
+      return result;
+    }
+
+
+
+    template <int dim>
+    MeanModuli
+    mean_moduli(const MaterialsOfCell<dim> &materials,
+                const FEValues<dim>        &fe_values,
+                const double                volume)
+    {
+      if (!materials.varies())
+        return {materials[0].bulk_modulus(), materials[0].bulk_viscosity};
+      MeanModuli result;
+      for (const unsigned int q : fe_values.quadrature_point_indices())
+        {
+          const double share = fe_values.JxW(q) / volume;
+          result.bulk += share * materials[q].bulk_modulus();
+          result.viscous += share * materials[q].bulk_viscosity;
+        }
+      return result;
+    }
+
+
+
     /** The integrals over the cell of the gradients of all shape functions. */
     template <int dim>
     std::vector<Tensor<1, dim>>
@@ -153,9 +285,9 @@ namespace StickSlip
 
   template <int dim>
   ElasticMatrices<dim>
-  assemble_elastic_matrices(const MeshLevel<dim>        &level,
-                            const std::vector<Material> &materials,
-                            const bool                   with_mass)
+  assemble_elastic_matrices(const MeshLevel<dim>              &level,
+                            const std::vector<MaterialFields> &materials,
+                            const bool                         with_mass)
   {
     const auto sparsity     = make_sparsity(level);
     bool       with_damping = false;
@@ -167,33 +299,30 @@ namespace StickSlip
       result.mass = BlockMatrix<dim>(sparsity);
     if (with_damping)
       result.damping = BlockMatrix<dim>(sparsity);
+    MaterialsOfCell<dim> at(materials);
+    std::vector<Moduli>  moduli_at;
     for_each_cell(
       level,
-      (with_mass ? update_values : update_default) | update_gradients,
+      with_points((with_mass ? update_values : update_default) |
+                    update_gradients,
+                  materials),
       [&](const unsigned int           body,
           const FEValues<dim>         &fe_values,
           const std::vector<LocalRow> &rows) {
-        const Material &material = materials[body];
-        const double    mu       = material.shear_modulus();
-        const double    eta      = material.shear_viscosity;
-        // The deviator is that of three dimensions, in plane strain too. What
-        // resists a change of volume either joins it, in the form of Lame's
-        // first parameter, or acts on the mean over the cell.
-        double lambda         = -2. * mu / 3.;
-        double viscous_lambda = -2. * eta / 3.;
+        at.reinit(body, fe_values);
+        moduli_at.clear();
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          moduli_at.push_back(moduli(at[q]));
 
         std::vector<Tensor<1, dim>> integrals;
         double                      volume = 0.;
-        if (material.volumetric_strain == VolumetricStrain::cell_mean)
+        MeanModuli                  mean_modulus;
+        if (materials[body].volumetric_strain == VolumetricStrain::cell_mean)
           {
             integrals = integrated_gradients(fe_values);
             for (const double JxW : fe_values.get_JxW_values())
               volume += JxW;
-          }
-        else
-          {
-            lambda = material.lame_lambda();
-            viscous_lambda += material.bulk_viscosity;
+            mean_modulus = mean_moduli(at, fe_values, volume);
           }
         for (unsigned int i = 0; i < rows.size(); ++i)
           for (unsigned int j = 0; j < rows.size(); ++j)
@@ -205,20 +334,21 @@ namespace StickSlip
                   const double          JxW = fe_values.JxW(q);
                   const Tensor<1, dim> &gi  = fe_values.shape_grad(i, q);
                   const Tensor<1, dim> &gj  = fe_values.shape_grad(j, q);
-                  stiffness += JxW * isotropic_block(lambda, mu, gi, gj);
+                  const Moduli         &m   = moduli_at[q];
+                  stiffness += JxW * isotropic_block(m.lambda, m.mu, gi, gj);
                   if (with_mass)
-                    mass += material.density * fe_values.shape_value(i, q) *
+                    mass += at[q].density * fe_values.shape_value(i, q) *
                             fe_values.shape_value(j, q) * JxW;
                   if (with_damping)
                     damping +=
-                      JxW * isotropic_block(viscous_lambda, eta, gi, gj);
+                      JxW * isotropic_block(m.viscous_lambda, m.eta, gi, gj);
                 }
               if (!integrals.empty())
                 {
                   const Tensor<2, dim> mean =
                     outer_product(integrals[i], integrals[j]) / volume;
-                  stiffness += material.bulk_modulus() * mean;
-                  damping += material.bulk_viscosity * mean;
+                  stiffness += mean_modulus.bulk * mean;
+                  damping += mean_modulus.viscous * mean;
                 }
               Tensor<2, dim> mass_block;
               for (unsigned int c = 0; c < dim; ++c)
@@ -237,29 +367,34 @@ namespace StickSlip
 
   template <int dim>
   NodalVector
-  assemble_gravity(const MeshLevel<dim>        &level,
-                   const std::vector<Material> &materials,
-                   const Tensor<1, dim>        &acceleration)
+  assemble_gravity(const MeshLevel<dim>              &level,
+                   const std::vector<MaterialFields> &materials,
+                   const Tensor<1, dim>              &acceleration)
   {
-    NodalVector load = level.nodes.make_vector();
+    NodalVector          load = level.nodes.make_vector();
+    MaterialsOfCell<dim> at(materials);
     for_each_cell(level,
-                  update_values,
+                  with_points(update_values, materials),
                   [&](const unsigned int           body,
                       const FEValues<dim>         &fe_values,
                       const std::vector<LocalRow> &rows) {
+                    at.reinit(body, fe_values);
+                    const double density = at.varies() ? 1. : at[0].density;
                     for (unsigned int i = 0; i < rows.size(); ++i)
                       {
+                        // Of the density over the one above.
                         double integral = 0;
                         for (const unsigned int q :
                              fe_values.quadrature_point_indices())
-                          integral +=
-                            fe_values.shape_value(i, q) * fe_values.JxW(q);
+                          integral += (at.varies() ? at[q].density : 1.) *
+                                      fe_values.shape_value(i, q) *
+                                      fe_values.JxW(q);
                         for (const auto &node : rows[i])
                           if (node.first < level.nodes.n_owned())
                             for (unsigned int c = 0; c < dim; ++c)
                               load.local_element(node.first * dim + c) +=
-                                node.second * materials[body].density *
-                                acceleration[c] * integral;
+                                node.second * density * acceleration[c] *
+                                integral;
                       }
                   });
     return load;
@@ -267,13 +402,41 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                          \
-  template struct ElasticMatrices<dim>;                                     \
-  template ElasticMatrices<dim> assemble_elastic_matrices<dim>(             \
-    const MeshLevel<dim> &, const std::vector<Material> &, const bool);     \
-  template NodalVector assemble_gravity<dim>(const MeshLevel<dim> &,        \
-                                             const std::vector<Material> &, \
-                                             const Tensor<1, dim> &);
+  template <int dim>
+  void
+  check_materials(const MeshLevel<dim>              &level,
+                  const std::vector<MaterialFields> &materials)
+  {
+    const UpdateFlags flags = with_points(update_default, materials);
+    if (flags == update_default)
+      return;
+    MaterialsOfCell<dim>                                     at(materials);
+    std::vector<std::function<Material(const Point<dim> &)>> functions;
+    for (const MaterialFields &material : materials)
+      functions.push_back(material.function<dim>());
+    for_each_cell(level,
+                  flags,
+                  [&](const unsigned int   body,
+                      const FEValues<dim> &fe_values,
+                      const std::vector<LocalRow> &) {
+                    at.reinit(body, fe_values);
+                    if (at.varies())
+                      functions[body](fe_values.get_cell()->center());
+                  });
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                            \
+  template struct ElasticMatrices<dim>;                                       \
+  template ElasticMatrices<dim> assemble_elastic_matrices<dim>(               \
+    const MeshLevel<dim> &, const std::vector<MaterialFields> &, const bool); \
+  template NodalVector assemble_gravity<dim>(                                 \
+    const MeshLevel<dim> &,                                                   \
+    const std::vector<MaterialFields> &,                                      \
+    const Tensor<1, dim> &);                                                  \
+  template void check_materials<dim>(const MeshLevel<dim> &,                  \
+                                     const std::vector<MaterialFields> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -60,6 +60,31 @@ namespace StickSlip
 
 
   template <int dim>
+  Point<dim>
+  BodyGeometry<dim>::sloped(const Point<dim> &point) const
+  {
+    Point<dim> result = point;
+    result[dim - 1] =
+      base + (point[dim - 1] - base) * thickness_at(point) / thickness;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BodyGeometry<dim>::within_sides(const Point<dim> &point) const
+  {
+    Point<dim> result = point;
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      result[axis] = std::min(std::max(point[axis], lateral_lower[axis]),
+                              lateral_upper[axis]);
+    return result;
+  }
+
+
+
+  template <int dim>
   bool
   BodyGeometry<dim>::is_sloped() const
   {
@@ -115,7 +140,8 @@ namespace StickSlip
                "Rigid",
                rigid,
                "Whether the body does not deform: a foundation. It has no "
-               "unknowns, and its material and mesh are not used. It does not "
+               "unknowns, and its mesh and material are not used, but for the "
+               "density in a lithostatic normal stress below it. It does not "
                "move, or moves as the boundary condition of one of its sides "
                "says.");
     add_numbers(prm,

@@ -85,13 +85,7 @@ namespace StickSlip
       /*colorize=*/true);
     if (geometry.is_sloped())
       GridTools::transform(
-        [&geometry](const Point<dim> &point) {
-          Point<dim> result = point;
-          result[dim - 1]   = geometry.base + (point[dim - 1] - geometry.base) *
-                                              geometry.thickness_at(point) /
-                                              geometry.thickness;
-          return result;
-        },
+        [&geometry](const Point<dim> &point) { return geometry.sloped(point); },
         *mesh);
     const auto unrefined = std::make_shared<Triangulation<dim>>();
     unrefined->copy_triangulation(*mesh);

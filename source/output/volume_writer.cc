@@ -58,9 +58,9 @@ namespace StickSlip
     /** One vector for each entry sigma_cd, c <= d, cell by cell. */
     template <int dim>
     std::vector<Vector<double>>
-    cell_stresses(const DoFHandler<dim>           &dofs,
-                  const Vector<double>            &displacement,
-                  const std::pair<double, double> &lame)
+    cell_stresses(const DoFHandler<dim>     &dofs,
+                  const Vector<double>      &displacement,
+                  const VolumeMaterial<dim> &material)
     {
       std::vector<Vector<double>> stresses(
         dim * (dim + 1) / 2,
@@ -78,6 +78,8 @@ namespace StickSlip
           at_centre.reinit(cell);
           at_centre[components].get_function_symmetric_gradients(displacement,
                                                                  strain);
+          const std::pair<double, double> lame =
+            material.lame_parameters(cell->center());
           const SymmetricTensor<2, dim> stress =
             2. * lame.second * strain[0] +
             lame.first * trace(strain[0]) * unit_symmetric_tensor<dim>();
@@ -93,20 +95,29 @@ namespace StickSlip
 
     template <int dim>
     void
-    build_patches(DataOut<dim>                    &data_out,
-                  const MeshLevel<dim>            &level,
-                  const unsigned int               body,
-                  const std::vector<double>       &displacement,
-                  const std::vector<double>       &velocity,
-                  const std::pair<double, double> &lame)
+    build_patches(DataOut<dim>              &data_out,
+                  const MeshLevel<dim>      &level,
+                  const unsigned int         body,
+                  const std::vector<double> &displacement,
+                  const std::vector<double> &velocity,
+                  const VolumeMaterial<dim> &material)
     {
       DoFHandler<dim> dofs(level.bodies[body]->triangulation());
       dofs.distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
       const Vector<double> u = values_of_body(level, body, dofs, displacement);
       const Vector<double> v = values_of_body(level, body, dofs, velocity);
-      const std::vector<Vector<double>> stresses = cell_stresses(dofs, u, lame);
+      const std::vector<Vector<double>> stresses =
+        cell_stresses(dofs, u, material);
       Vector<double> number_of_body(dofs.get_triangulation().n_active_cells());
       number_of_body = body;
+      std::vector<Vector<double>> fields;
+      for (const auto &field : material.fields)
+        {
+          fields.emplace_back(number_of_body.size());
+          for (const auto &cell : dofs.active_cell_iterators())
+            fields.back()[cell->active_cell_index()] =
+              field.second(cell->center());
+        }
 
       data_out.attach_dof_handler(dofs);
       const auto add_vector = [&](const Vector<double> &values,
@@ -130,6 +141,10 @@ namespace StickSlip
       data_out.add_data_vector(number_of_body,
                                "body",
                                DataOut<dim>::type_cell_data);
+      for (unsigned int f = 0; f < fields.size(); ++f)
+        data_out.add_data_vector(fields[f],
+                                 material.fields[f].first,
+                                 DataOut<dim>::type_cell_data);
       data_out.build_patches();
       // The patches stay; what they were made from goes with this function.
       data_out.clear_input_data_references();
@@ -140,13 +155,13 @@ namespace StickSlip
 
   template <int dim>
   std::string
-  write_volume(const std::string                            &directory,
-               const unsigned int                            number,
-               const double                                  time,
-               const MeshLevel<dim>                         &level,
-               const std::vector<double>                    &displacement,
-               const std::vector<double>                    &velocity,
-               const std::vector<std::pair<double, double>> &lame_parameters)
+  write_volume(const std::string                      &directory,
+               const unsigned int                      number,
+               const double                            time,
+               const MeshLevel<dim>                   &level,
+               const std::vector<double>              &displacement,
+               const std::vector<double>              &velocity,
+               const std::vector<VolumeMaterial<dim>> &materials)
   {
     // The patches of the first body, to which those of the others are added.
     DataOut<dim> all;
@@ -158,7 +173,7 @@ namespace StickSlip
                       body,
                       displacement,
                       velocity,
-                      lame_parameters[body]);
+                      materials[body]);
         if (body > 0)
           all.merge_patches(one);
       }
@@ -189,7 +204,7 @@ namespace StickSlip
                   const MeshLevel<2> &,
                   const std::vector<double> &,
                   const std::vector<double> &,
-                  const std::vector<std::pair<double, double>> &);
+                  const std::vector<VolumeMaterial<2>> &);
   template std::string
   write_volume<3>(const std::string &,
                   const unsigned int,
@@ -197,5 +212,5 @@ namespace StickSlip
                   const MeshLevel<3> &,
                   const std::vector<double> &,
                   const std::vector<double> &,
-                  const std::vector<std::pair<double, double>> &);
+                  const std::vector<VolumeMaterial<3>> &);
 } // namespace StickSlip

@@ -135,7 +135,7 @@ namespace StickSlip
   double
   SpatialField::constant() const
   {
-    Assert(is_constant(), ExcMessage("The field varies: " + text()));
+    AssertThrow(is_constant(), ExcMessage("The field varies: " + text()));
     return number;
   }
 

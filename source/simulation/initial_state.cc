@@ -3,32 +3,13 @@
 
 #include <stickslip/parameters/input_error.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/lithostatic_stress.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace StickSlip
 {
-  namespace
-  {
-    /** How much the weight of what lies above a point of fault @p f presses on
-     * it, Pa. */
-    template <int dim>
-    double
-    weight_above(const SceneParameters<dim> &scene,
-                 const unsigned int          f,
-                 const Point<dim>           &point)
-    {
-      double density_times_thickness = 0;
-      for (unsigned int i = f + 1; i < scene.bodies.size(); ++i)
-        density_times_thickness += scene.bodies[i].material.density *
-                                   scene.bodies[i].geometry.thickness_at(point);
-      return -scene.gravity_vector()[dim - 1] * density_times_thickness;
-    }
-  } // namespace
-
-
-
   template <int dim>
   std::vector<double>
   make_normal_stress(const SceneParameters<dim>    &scene,
@@ -44,19 +25,17 @@ namespace StickSlip
         const std::vector<Point<dim>> &points =
           basis.faults()[f].slave_surface.points;
         std::vector<double> given;
-        if (fault.normal_stress_source == NormalStressSource::lithostatic)
-          for (const Point<dim> &point : points)
-            given.push_back(weight_above(scene, f, point));
-        else if (fault.normal_stress_source == NormalStressSource::function)
+        if (fault.normal_stress_source == NormalStressSource::function)
           given = fault.normal_stress.values(points, fault.section());
+        else if (fault.normal_stress_source == NormalStressSource::lithostatic)
+          given = lithostatic_stress(scene, f, points);
         const unsigned int first        = k;
         bool               has_friction = false;
         for (const FaultPart &part : fault.parts(points))
           for (const unsigned int i : part.positions)
             {
               double &sigma = stress[first + i];
-              if (fault.normal_stress_source !=
-                  NormalStressSource::initial_equilibrium)
+              if (!given.empty())
                 sigma = given[i];
               const bool is_free =
                 part.friction->has_prescribed_slip() ||

@@ -12,13 +12,32 @@ namespace StickSlip
 {
   namespace
   {
-    /** The slip rate of one side of a fault for a unit of traction that it
-     * radiates, m/(Pa s); a rigid body does not yield. */
+    /** The radiation damping of a fault at some points of it, Pa s/m: the
+     * slip rates of the two sides for a unit of traction that they radiate add
+     * up; a rigid body does not yield. */
     template <int dim>
-    double
-    radiation_compliance(const BodyParameters<dim> &body)
+    std::vector<double>
+    radiation_damping(const SceneParameters<dim>    &scene,
+                      const unsigned int             fault,
+                      const std::vector<Point<dim>> &points)
     {
-      return body.geometry.rigid ? 0. : 1. / body.material.shear_impedance();
+      std::vector<double> damping(points.size(), 0.);
+      if (scene.time.inertia != Inertia::quasi_dynamic)
+        return damping;
+      for (const unsigned int side : {fault, fault + 1})
+        {
+          const BodyParameters<dim> &body = scene.bodies[side];
+          if (body.geometry.rigid)
+            continue;
+          const auto material = body.material.template function<dim>();
+          for (unsigned int k = 0; k < points.size(); ++k)
+            damping[k] +=
+              1. /
+              material(body.geometry.within_sides(points[k])).shear_impedance();
+        }
+      for (double &value : damping)
+        value = 1. / value;
+      return damping;
     }
 
 
@@ -67,34 +86,32 @@ namespace StickSlip
       {
         const std::vector<Point<dim>> &points =
           basis.faults()[f].slave_surface.points;
-        const double radiation_damping =
-          scene.time.inertia == Inertia::quasi_dynamic ?
-            1. / (radiation_compliance(scene.bodies[f]) +
-                  radiation_compliance(scene.bodies[f + 1])) :
-            0.;
-        const unsigned int first = result.of_node.size();
+        const std::vector<double> damping = radiation_damping(scene, f, points);
+        const unsigned int        first   = result.of_node.size();
         result.of_node.resize(first + points.size());
         for (const FaultPart &part : scene.faults[f].parts(points))
           {
-            std::map<std::array<double, 5>, unsigned int> known;
+            std::map<std::array<double, 6>, unsigned int> known;
             const std::vector<RateAndStateParameters>     parameters =
               part.friction->rate_and_state.values(part.select(points),
                                                    part.section);
             for (unsigned int i = 0; i < parameters.size(); ++i)
               {
                 const RateAndStateParameters &p = parameters[i];
-                const auto [place, is_new] =
-                  known.emplace(std::array<double, 5>{{p.a,
-                                                       p.b,
-                                                       p.reference_friction,
-                                                       p.reference_slip_rate,
-                                                       p.characteristic_slip}},
-                                result.laws.size());
+                const auto [place, is_new]      = known.emplace(
+                  std::array<double, 6>{{p.a,
+                                              p.b,
+                                              p.reference_friction,
+                                              p.reference_slip_rate,
+                                              p.characteristic_slip,
+                                              damping[part.positions[i]]}},
+                  result.laws.size());
                 result.of_node[first + part.positions[i]] = place->second;
                 if (!is_new)
                   continue;
                 result.laws.push_back(make_law(*part.friction, p));
-                result.laws.back().radiation_damping = radiation_damping;
+                result.laws.back().radiation_damping =
+                  damping[part.positions[i]];
               }
           }
       }

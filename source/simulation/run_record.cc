@@ -36,6 +36,50 @@ namespace StickSlip
       directory.remove_earlier_results();
       return directory;
     }
+
+
+
+    /** For the stress of all bodies; with what varies in any of them as fields
+     * to look at. */
+    template <int dim>
+    std::vector<VolumeMaterial<dim>>
+    volume_materials(const SceneParameters<dim> &scene)
+    {
+      static const std::vector<
+        std::pair<std::string, SpatialField MaterialFields::*>>
+        entries = {{"youngs_modulus", &MaterialFields::youngs_modulus},
+                   {"poissons_ratio", &MaterialFields::poissons_ratio},
+                   {"density", &MaterialFields::density},
+                   {"shear_viscosity", &MaterialFields::shear_viscosity},
+                   {"bulk_viscosity", &MaterialFields::bulk_viscosity}};
+
+      std::vector<VolumeMaterial<dim>> result;
+      for (const BodyParameters<dim> &body : scene.bodies)
+        {
+          result.emplace_back();
+          result.back().lame_parameters =
+            [at = body.material.template function<dim>()](
+              const Point<dim> &point) {
+              const Material material = at(point);
+              return std::make_pair(material.lame_lambda(),
+                                    material.shear_modulus());
+            };
+        }
+      for (const auto &[name, field] : entries)
+        if (std::any_of(scene.bodies.begin(),
+                        scene.bodies.end(),
+                        [field = field](const BodyParameters<dim> &body) {
+                          return !(body.material.*field).is_constant();
+                        }))
+          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+            {
+              const MaterialFields &material = scene.bodies[b].material;
+              result[b].fields.emplace_back(
+                name,
+                (material.*field).template function<dim>(material.section));
+            }
+      return result;
+    }
   } // namespace
 
 
@@ -160,10 +204,6 @@ namespace StickSlip
   RunRecord<dim>::write_volume_now(const std::vector<double> &displacement,
                                    const std::vector<double> &velocity)
   {
-    std::vector<std::pair<double, double>> lame_parameters;
-    for (const BodyParameters<dim> &body : scene.bodies)
-      lame_parameters.emplace_back(body.material.lame_lambda(),
-                                   body.material.shear_modulus());
     files->pvd.add(last_step.time,
                    write_volume(scene.output.directory,
                                 n_volumes++,
@@ -171,7 +211,7 @@ namespace StickSlip
                                 level,
                                 displacement,
                                 velocity,
-                                lame_parameters));
+                                volume_materials(scene)));
   }
 
 

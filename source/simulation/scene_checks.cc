@@ -227,8 +227,22 @@ namespace StickSlip
 
 
 
-    // Those of the fields are checked again at all nodes; this comes before the
+    // Fields are checked again wherever they are needed; this comes before the
     // meshes are made.
+    template <int dim>
+    void
+    check_materials(const SceneParameters<dim> &scene)
+    {
+      for (const BodyParameters<dim> &body : scene.bodies)
+        {
+          const auto material = body.material.template function<dim>();
+          for (const Point<dim> &point : body_points(body.geometry))
+            material(point);
+        }
+    }
+
+
+
     template <int dim>
     void
     check_faults(const SceneParameters<dim> &scene)
@@ -349,6 +363,7 @@ namespace StickSlip
     check_time(scene.time);
     check_output(scene.output);
     check_bodies(scene);
+    check_materials(scene);
     check_faults(scene);
     check_boundary_conditions(scene);
 

@@ -43,6 +43,7 @@ namespace StickSlip
           prm.enter_subsection(body.name);
           body.geometry.add_parameters(prm);
           prm.enter_subsection("Material");
+          body.material.section = "Bodies/" + body.name + "/Material";
           body.material.add_parameters(prm);
           prm.leave_subsection();
           prm.leave_subsection();

@@ -50,7 +50,6 @@ namespace StickSlip
     Assert(body != scene.bodies.end(), ExcMessage("There is no such body."));
 
     const unsigned int axis  = condition.side / 2;
-    const double       base  = body->geometry.base;
     Point<dim>         lower = body->geometry.lower_corner();
     Point<dim>         upper = body->geometry.upper_corner();
     if (condition.side % 2 == 0)
@@ -59,9 +58,27 @@ namespace StickSlip
       lower[axis] = upper[axis];
     std::vector<Point<dim>> points = points_of_flat_brick(lower, upper, axis);
     for (Point<dim> &point : points)
-      point[dim - 1] = base + (point[dim - 1] - base) *
-                                body->geometry.thickness_at(point) /
-                                body->geometry.thickness;
+      point = body->geometry.sloped(point);
+    return points;
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  body_points(const BodyGeometry<dim> &body)
+  {
+    std::vector<Point<dim>> points;
+    for (unsigned int corner = 0; corner < (1u << dim); ++corner)
+      {
+        Point<dim> point = body.lower_corner();
+        for (unsigned int axis = 0; axis < dim; ++axis)
+          if ((corner >> axis) & 1u)
+            point[axis] = body.upper_corner()[axis];
+        points.push_back(body.sloped(point));
+      }
+    points.push_back(body.sloped(
+      Point<dim>(0.5 * (body.lower_corner() + body.upper_corner()))));
     return points;
   }
 
@@ -103,6 +120,10 @@ namespace StickSlip
   side_points(const SceneParameters<2> &, const BoundaryCondition<2> &);
   template std::vector<Point<3>>
   side_points(const SceneParameters<3> &, const BoundaryCondition<3> &);
+  template std::vector<Point<2>>
+  body_points(const BodyGeometry<2> &);
+  template std::vector<Point<3>>
+  body_points(const BodyGeometry<3> &);
   template std::vector<Point<2>>
   fault_points(const BodyGeometry<2> &, const BodyGeometry<2> &);
   template std::vector<Point<3>>

@@ -4,7 +4,9 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/output/interrupt.h>
+#include <stickslip/simulation/agreement.h>
 #include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
@@ -35,13 +37,19 @@ namespace StickSlip
 
 
 
+    /** The materials of the bodies, once they are known to make sense on the
+     * finest meshes. */
     template <int dim>
-    std::vector<Material>
-    materials(const SceneParameters<dim> &scene)
+    std::vector<MaterialFields>
+    materials(const SceneParameters<dim> &scene,
+              const MeshHierarchy<dim>   &meshes,
+              const MPI_Comm             &communicator)
     {
-      std::vector<Material> result;
+      std::vector<MaterialFields> result;
       for (const BodyParameters<dim> &body : scene.bodies)
         result.push_back(body.material);
+      carry_out_agreed(communicator,
+                       [&]() { check_materials(meshes.finest(), result); });
       return result;
     }
 
@@ -106,7 +114,7 @@ namespace StickSlip
                       scene.boundary_conditions,
                       body_names(scene))
     , problem(mesh_hierarchy,
-              materials(scene),
+              materials(scene, mesh_hierarchy, communicator),
               boundary_values,
               scene.gravity_vector(),
               scene.time.inertia == Inertia::dynamic,

@@ -56,6 +56,29 @@ namespace StickSlip
 
 
 
+    /** The shear modulus of a body where it meets a fault: the mean over the
+     * nodes there, if it varies. That of a rigid body is not asked for. */
+    template <int dim>
+    double
+    shear_modulus_on_side(const MeshLevel<dim>    &level,
+                          const unsigned int       body,
+                          const types::boundary_id side,
+                          const MaterialFields    &material)
+    {
+      if (level.bodies[body]->is_rigid())
+        return 1.;
+      if (material.are_constant())
+        return material.constants().shear_modulus();
+      const auto function = material.function<dim>();
+      double     sum      = 0;
+      const auto points   = level.surface(body, side).points;
+      for (const Point<dim> &point : points)
+        sum += function(point).shear_modulus();
+      return sum / points.size();
+    }
+
+
+
     /** The results of @p row for all nodes with a local index. */
     template <typename Row>
     std::vector<GlobalRow>
@@ -74,7 +97,7 @@ namespace StickSlip
   template <int dim>
   SpatialProblem<dim>::SpatialProblem(
     const MeshHierarchy<dim>          &meshes,
-    const std::vector<Material>       &materials,
+    const std::vector<MaterialFields> &materials,
     BoundaryValues<dim>               &boundary_values,
     const Tensor<1, dim>              &gravity,
     const bool                         with_inertia,
@@ -84,10 +107,13 @@ namespace StickSlip
   {
     const MeshLevel<dim> &finest = meshes.finest();
     for (unsigned int lower = 0; lower + 1 < meshes.n_bodies(); ++lower)
-      sides.push_back(choose_fault_sides(finest,
-                                         lower,
-                                         materials[lower + 1].shear_modulus() /
-                                           materials[lower].shear_modulus()));
+      sides.push_back(choose_fault_sides(
+        finest,
+        lower,
+        shear_modulus_on_side(
+          finest, lower + 1, BodyMesh<dim>::lower_side, materials[lower + 1]) /
+          shear_modulus_on_side(
+            finest, lower, BodyMesh<dim>::upper_side, materials[lower])));
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       dirichlet_masks.push_back(boundary.dirichlet_mask(l));
     if (std::any_of(slip_rates.begin(),

@@ -6,7 +6,7 @@
 
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/mechanics/boundary_condition.h>
-#include <stickslip/mechanics/material.h>
+#include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 
 namespace StickSlip
@@ -34,27 +34,39 @@ namespace StickSlip
 
   /**
    * Assemble the matrices; @p materials from the lowest body to the highest.
-   * That of the mass only @p with_mass.
+   * That of the mass only @p with_mass. Parameters that vary are taken at the
+   * quadrature points.
    *
    * Where a material asks for the mean volumetric strain of the cell, that
    * takes the place of tr(eps) in the part of the stiffness and of the
    * viscosity that resists the change of volume; the deviatoric part is
-   * integrated in full (Nagtegaal, Parks and Rice 1974; Hughes 1980).
+   * integrated in full (Nagtegaal, Parks and Rice 1974; Hughes 1980). Moduli of
+   * the mean strain are means over the cell as well.
    */
   template <int dim>
   ElasticMatrices<dim>
-  assemble_elastic_matrices(const MeshLevel<dim>        &level,
-                            const std::vector<Material> &materials,
-                            const bool                   with_mass = true);
+  assemble_elastic_matrices(const MeshLevel<dim>              &level,
+                            const std::vector<MaterialFields> &materials,
+                            const bool with_mass = true);
+
+  /**
+   * Evaluate parameters that vary wherever this process needs them, at the
+   * quadrature points and centres of its cells. Throws InputError, on this
+   * process only, where one is out of range.
+   */
+  template <int dim>
+  void
+  check_materials(const MeshLevel<dim>              &level,
+                  const std::vector<MaterialFields> &materials);
 
   /**
    * The load vector of gravity, rho times its @p acceleration, m/s^2.
    */
   template <int dim>
   NodalVector
-  assemble_gravity(const MeshLevel<dim>        &level,
-                   const std::vector<Material> &materials,
-                   const Tensor<1, dim>        &acceleration);
+  assemble_gravity(const MeshLevel<dim>              &level,
+                   const std::vector<MaterialFields> &materials,
+                   const Tensor<1, dim>              &acceleration);
 } // namespace StickSlip
 
 #endif

@@ -4,12 +4,8 @@
 #ifndef stickslip_mechanics_material_h
 #define stickslip_mechanics_material_h
 
-#include <deal.II/base/parameter_handler.h>
-
 namespace StickSlip
 {
-  using namespace dealii;
-
   /**
    * What the change of volume is in the stiffness and viscosity of a cell.
    */
@@ -28,7 +24,8 @@ namespace StickSlip
    *         + 2 eta dev(eps(u_t)) + zeta tr(eps(u_t)) I,
    *
    * with shear viscosity eta and bulk viscosity zeta. Two-dimensional bodies
-   * are in plane strain.
+   * are in plane strain. The parameters are those at one point; MaterialFields
+   * has those of a body.
    */
   struct Material
   {
@@ -65,14 +62,6 @@ namespace StickSlip
     /** Impedance of shear waves sqrt(rho mu), Pa s/m. */
     double
     shear_impedance() const;
-
-    /** Whether there is any viscosity. */
-    bool
-    is_viscous() const;
-
-    /** Declare the entries in the current subsection of @p prm. */
-    void
-    add_parameters(ParameterHandler &prm);
   };
 } // namespace StickSlip
 

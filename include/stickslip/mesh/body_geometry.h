@@ -67,6 +67,15 @@ namespace StickSlip
     double
     thickness_at(const Point<dim> &point) const;
 
+    /** Where a point of the brick from lower_corner() to upper_corner() lies
+     * when the upper side slopes: the thickness changes in proportion. */
+    Point<dim>
+    sloped(const Point<dim> &point) const;
+
+    /** The point with horizontal coordinates beyond the sides moved to them. */
+    Point<dim>
+    within_sides(const Point<dim> &point) const;
+
     /** Whether the upper side is not level. */
     bool
     is_sloped() const;

@@ -13,7 +13,8 @@ namespace StickSlip
   /**
    * The friction laws of all slave nodes, from bottom to top. Nodes of a fault
    * with the same parameters share one. With the radiation damping of plane
-   * shear waves into both bodies (Rice 1993) if the scene is quasi-dynamic.
+   * shear waves into both bodies (Rice 1993), as they are at the node, if the
+   * scene is quasi-dynamic.
    */
   template <int dim>
   NodeLaws

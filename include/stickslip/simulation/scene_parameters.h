@@ -8,7 +8,7 @@
 
 #include <stickslip/friction/fault_parameters.h>
 #include <stickslip/mechanics/boundary_condition.h>
-#include <stickslip/mechanics/material.h>
+#include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/body_geometry.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
@@ -31,7 +31,7 @@ namespace StickSlip
   {
     std::string       name;
     BodyGeometry<dim> geometry;
-    Material          material;
+    MaterialFields    material;
   };
 
   /**

@@ -19,6 +19,13 @@ namespace StickSlip
               const BoundaryCondition<dim> &condition);
 
   /**
+   * The corners and the centre of a body, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  body_points(const BodyGeometry<dim> &body);
+
+  /**
    * A grid of 21 points along each axis in the common part of two bodies'
    * fault, m.
    */

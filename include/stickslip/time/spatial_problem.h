@@ -5,7 +5,7 @@
 #define stickslip_time_spatial_problem_h
 
 #include <stickslip/mechanics/boundary_values.h>
-#include <stickslip/mechanics/material.h>
+#include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/time/prescribed_slip.h>
@@ -45,7 +45,7 @@ namespace StickSlip
      * @p slip_rates: where the slip rate is known, one entry a fault, or none
      * at all. */
     SpatialProblem(const MeshHierarchy<dim>          &meshes,
-                   const std::vector<Material>       &materials,
+                   const std::vector<MaterialFields> &materials,
                    BoundaryValues<dim>               &boundary_values,
                    const Tensor<1, dim>              &gravity,
                    const bool                         with_inertia = true,
