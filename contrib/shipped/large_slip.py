@@ -16,7 +16,7 @@ SCENE = "large_slip"
 WIDTH, THICKNESS, DENSITY, GRAVITY = 5.0, 1.0, 5e3, 9.81
 WEIGHT = DENSITY * GRAVITY * WIDTH * THICKNESS
 NORMAL_STRESS = DENSITY * GRAVITY * THICKNESS
-LOADING_RATE = 0.02
+RADIATION_DAMPING = np.sqrt(DENSITY * 4.12e6 / (2 * 1.3)) / 2
 LOWER = 0
 # Overlap, as parts of the length, at which bodies are drawn and events are counted.
 SHOWN = (1.0, 0.85, 0.68, 0.51)
@@ -60,27 +60,58 @@ def contact_side(volume):
     )
 
 
+class Sides:
+    """The two sides of the fault where they are now."""
+
+    def __init__(self, volume):
+        place = volume.points + volume.displacement()
+        at_fault = np.abs(volume.points[..., 1]) < 1e-6
+        self.lower, self.upper = (
+            self.sorted(place[at_fault & (volume.body == body)[:, None]])
+            for body in (LOWER, 1 - LOWER)
+        )
+
+    @staticmethod
+    def sorted(points):
+        return points[np.argsort(points[:, 0], kind="stable")]
+
+    def ends(self):
+        return self.upper[0, 0], self.lower[-1, 0]
+
+    def overlap(self):
+        left, right = self.ends()
+        return right - left
+
+    def largest_gap(self):
+        """Between the deformed sides, in m: how far they are from touching."""
+        x = np.linspace(*self.ends(), 200)
+        return np.abs(
+            np.interp(x, *self.upper.T) - np.interp(x, *self.lower.T)).max()
+
+    def deflection(self):
+        """Of the lower side, from its highest to its lowest point."""
+        return np.ptp(self.lower[:, 1])
+
+
 class Forces:
     """Over all VTU files of a run: overlap, and forces between the bodies."""
 
     def __init__(self, run):
         series = run.series()
         self.time, self.paths = volumes(run.files)
-        slip = np.interp(self.time, series["time"], series["fault.mean_slip"])
-        traction = np.interp(
-            self.time, series["time"], series["fault.mean_shear_traction"])
-        self.overlap = WIDTH - slip
-        both = np.array([transmitted(Volume(path)) for path in self.paths])
+        volumes_now = [Volume(path) for path in self.paths]
+        self.overlap = np.array([Sides(volume).overlap() for volume in volumes_now])
+        both = np.array([transmitted(volume) for volume in volumes_now])
         self.normal, self.shear = both.T
-        self.friction = traction * self.overlap
-        rate = np.interp(self.time, series["time"], series["fault.max_slip_rate"])
-        # Elsewhere inertia has its part in the balance.
-        self.slow = rate < 2 * LOADING_RATE
+        traction, rate = (
+            np.interp(self.time, series["time"], series[f"fault.mean_{name}"])
+            for name in ("shear_traction", "slip_rate")
+        )
+        self.friction = (traction + RADIATION_DAMPING * rate) * self.overlap
 
     def at(self, part):
         """Index of the file with an overlap next to a part of the length."""
-        distance = np.abs(self.overlap - part * WIDTH) + 10.0 * ~self.slow
-        return int(np.argmin(distance))
+        return int(np.argmin(np.abs(self.overlap - part * WIDTH)))
 
 
 def jumps(run):
@@ -113,8 +144,8 @@ def event_rows(run):
         own = (events["start"] >= window[0]) & (events["start"] < window[1])
         large = own & (events["mean_slip"] > 0.01)
         traction = series["fault.mean_shear_traction"][inside]
-        drag = np.trapezoid if hasattr(np, "trapezoid") else np.trapz
-        mean = drag(traction * overlap[inside], series["time"][inside]) / np.ptp(window)
+        mean = np.trapz(traction * overlap[inside], series["time"][inside]) / np.ptp(
+            window)
         rows.append((
             f"{WIDTH * upper:.2f} to {WIDTH * lower:.2f}", own.sum(), large.sum(),
             f"{np.median(np.diff(events['start'][large])):.2f}",
@@ -135,6 +166,7 @@ def force_rows(forces):
         k = forces.at(part)
         volume = Volume(forces.paths[k])
         x, width, stress = contact_side(volume)
+        sides = Sides(volume)
         inside = x > WIDTH / 2 - forces.overlap[k]
         pulled = width[inside & (stress < 0)].sum()
         rows.append((
@@ -143,13 +175,15 @@ def force_rows(forces):
             f"{WEIGHT / forces.overlap[k] / 1e3:.1f}",
             f"{stress[inside].max() / 1e3:.0f}", f"{pulled:.2f}",
             f"{NORMAL_STRESS * forces.overlap[k] / WEIGHT:.3f}",
-            f"{forces.shear[k] / 1e3:.2f}", f"{forces.friction[k] / 1e3:.2f}",
+            f"{forces.shear[k] / 1e3:.1f}", f"{forces.friction[k] / 1e3:.1f}",
+            f"{100 * sides.deflection():.1f}", f"{100 * sides.largest_gap():.1f}",
         ))
     return page.table(
         ("overlap, m", "time, s", "contact force over weight",
          "weight over overlap, kPa", "largest normal stress in a cell, kPa",
          "under tension, m", "normal force in the friction law over weight",
-         "shear force below, kN/m", "friction, kN/m"), rows)
+         "shear force below, kN/m", "friction and damping, kN/m",
+         "deflection of the lower side, cm", "largest gap between the sides, cm"), rows)
 
 
 def outcome(store):
@@ -159,14 +193,16 @@ def outcome(store):
         {"Time/End time": f"{EACH_STEP_END:g}", "Output/Write volume": "false",
          "Output/Fault shortest interval": "0",
          "Output/Fault longest interval": "1e-9"}))
+    moving = store.run(common.case(
+        "large slip with inertia", SCENE, {"Time/Inertia": "dynamic"}))
+    swing = Forces(moving).normal / WEIGHT
     forces = Forces(shipped)
     ratio = forces.normal / WEIGHT
     left, largest, steps, lost = jumps(each_step)
     text = (
-        f"Contact force over weight in {len(ratio)} files: "
-        f"{ratio[forces.slow].min():.6f} to {ratio[forces.slow].max():.6f} between "
-        f"events ({forces.slow.sum()} files), {ratio.min():.4f} to {ratio.max():.4f} "
-        f"in all. Mappings: {shipped.summary_number('Steps/contact mappings built'):.0f}"
+        f"Contact force over weight in {len(ratio)} files: {ratio.min():.6f} to "
+        f"{ratio.max():.6f}; with inertia {swing.min():.3f} to {swing.max():.3f}, mean "
+        f"{swing.mean():.4f}, in {len(moving.events('fault')['start'])} events. Mappings: {shipped.summary_number('Steps/contact mappings built'):.0f}"
         f" in {WIDTH - forces.overlap[-1]:.2f} m. Energy: "
         f"{shipped.summary_number('Energy/missing'):.3g} J/m missing, "
         f"{shipped.summary_number('Energy/missing, over the largest work'):.2g} of the "
@@ -202,18 +238,17 @@ def is_row_by_row(volume):
 
 
 def draw(shipped, forces):
-    figure, axes = new_figure(6, height=12.5, ratios=(1, 1, 1, 1, 1.2, 1.2))
+    figure, axes = new_figure(6, height=12.0, ratios=(1.5, 1.5, 1.5, 1.5, 1.2, 1.2))
     for panel, part in zip(axes, SHOWN):
         k = forces.at(part)
         image = draw_bodies(panel, forces.paths[k], (-200, 200))
         title(panel, f"t = {forces.time[k]:.1f} s, overlap {forces.overlap[k]:.2f} m")
     axes[3].set_xlabel("x [m]")
     figure.colorbar(image, ax=list(axes[:4]), label="vertical pressure [kPa]",
-                    shrink=0.5)
+                    shrink=0.5, pad=0.01)
 
-    slow = forces.slow
     panel = axes[4]
-    panel.plot(forces.overlap[slow], forces.normal[slow] / WEIGHT, ".", color=BLUE,
+    panel.plot(forces.overlap, forces.normal / WEIGHT, ".", color=BLUE,
                markersize=4, label="contact force, from the stresses")
     panel.plot(forces.overlap, NORMAL_STRESS * forces.overlap / WEIGHT, color=GREY,
                label="normal force in the friction law")

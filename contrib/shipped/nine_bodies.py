@@ -193,20 +193,10 @@ def outcome(store):
     if shipped.read_text(encoding="utf-8") != scene_text(BODIES):
         raise programs.Failed(f"{shipped} is not what contrib/shipped/nine_bodies.py writes.")
     runs = {n: run_stack(store, n) for n in (*OTHERS, BODIES)}
-    published = {
-        "spring slider": store.run(common.case("spring slider", "spring_slider")),
-        "five layers": store.run(common.case("five layers", "layered_five_bodies")),
-    }
     rows = [
         (f"stack of {n}", n - 1, *iteration_cells(run, fault_numbers(n)))
         for n, run in runs.items()
     ]
-    for name, run in published.items():
-        series = run.series()
-        rows.append((
-            f"published {name}", 1 if name == "spring slider" else 4,
-            *published_cells(run, series),
-        ))
     text = page.table(
         ("scene", "faults", "unknowns", "steps", "rejected", "iterations a step",
          "most", "cycles a step", "most", "iterations above 1 mm/s", "CPU seconds",
@@ -215,22 +205,16 @@ def outcome(store):
     return common.Outcome(text, {"nine_body_stack": lambda: draw(runs[BODIES])})
 
 
-def published_cells(run, series):
-    names = [c[: -len(".max_slip_rate")] for c in series if c.endswith(".max_slip_rate")]
-    numbers = [name.removeprefix("fault") for name in names]
-    return iteration_cells(run, numbers)
-
-
 def draw(run):
     figure, axes = new_figure(9, height=13.0, ratios=(1,) * 8 + (0.9,), sharex=True)
     for panel, k in zip(axes, reversed(fault_numbers(BODIES))):
         history = FaultHistory(run.history(), f"fault{k}")
-        draw_map(figure, panel, history, (30, 90), (1e-8, 5e-2))
+        draw_map(figure, panel, history, (36, 80), (1e-8, 5e-2))
         panel.set(xlabel="", ylabel="x [m]")
         title(panel, f"fault{k}, b - a = {0.002 * k:.3f} in its patch")
     series = run.series()
     axes[8].plot(series["time"], series["tnnmg_iterations"], ".", markersize=1.5,
                  rasterized=True)
-    axes[8].set(xlabel="time [s]", ylim=(0, 8), xlim=(30, 90))
+    axes[8].set(xlabel="time [s]", ylim=(0, 8), xlim=(36, 80))
     title(axes[8], "TNNMG iterations in each step")
     return figure

@@ -17,7 +17,7 @@ SHEAR_MODULUS = 4.12e7 / (2 * 1.3)
 EFFECTIVE_MODULUS = SHEAR_MODULUS / (1 - POISSON_RATIO)
 LOADING_RATE = 2e-5
 # m: positions in the strengthening part at which afterslip is measured.
-PLACES = (1.25, 1.5, 2.0, 3.0)
+PLACES = (1.25, 1.5, 1.75, 2.0)
 HALF_WIDTHS = (0.15, 0.2, 0.3, 0.4, 0.5, 1.0, 1.5)
 # s: from here on cycles repeat.
 SETTLED = 430.0
@@ -70,10 +70,10 @@ class Afterslip:
         self.rate = history.rate()[chosen, node]
         self.traction = history.field("shear_traction")[chosen, node]
         top = int(np.argmax(self.rate))
-        # From half of its largest slip rate down to three times that of loading.
+        # From half of its largest slip rate down to 1.5 times that of loading.
         late = np.arange(len(self.rate)) > top
         self.fitted = late & (self.rate < self.rate[top] / 2) & (
-            self.rate > 3 * LOADING_RATE)
+            self.rate > 1.5 * LOADING_RATE)
         self.largest_rate = self.rate[top]
 
     def fit(self):
