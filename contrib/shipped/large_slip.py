@@ -19,7 +19,7 @@ NORMAL_STRESS = DENSITY * GRAVITY * THICKNESS
 RADIATION_DAMPING = np.sqrt(DENSITY * 4.12e6 / (2 * 1.3)) / 2
 LOWER = 0
 # Overlap, as parts of the length, at which bodies are drawn and events are counted.
-SHOWN = (1.0, 0.85, 0.68, 0.51)
+SHOWN = (1.0, 0.84, 0.68, 0.52)
 PARTS = ((1.0, 0.875), (0.875, 0.75), (0.75, 0.625), (0.625, 0.5))
 # s: a run with a record of each step.
 EACH_STEP_END = 20.0
@@ -109,6 +109,9 @@ class Forces:
         )
         self.friction = (traction + RADIATION_DAMPING * rate) * self.overlap
 
+    def overlap_at(self, time):
+        return np.interp(time, self.time, self.overlap)
+
     def at(self, part):
         """Index of the file with an overlap next to a part of the length."""
         return int(np.argmin(np.abs(self.overlap - part * WIDTH)))
@@ -132,10 +135,10 @@ def jumps(run):
     return left.max(), largest, len(time) - 1, left_contact
 
 
-def event_rows(run):
+def event_rows(run, forces):
     events = run.events("fault")
     series = run.series()
-    overlap = WIDTH - series["fault.mean_slip"]
+    overlap = forces.overlap_at(series["time"])
     rows = []
     for upper, lower in PARTS:
         inside = (overlap <= upper * WIDTH) & (overlap > lower * WIDTH) & (
@@ -203,7 +206,7 @@ def outcome(store):
         f"Contact force over weight in {len(ratio)} files: {ratio.min():.6f} to "
         f"{ratio.max():.6f}; with inertia {swing.min():.3f} to {swing.max():.3f}, mean "
         f"{swing.mean():.4f}, in {len(moving.events('fault')['start'])} events. Mappings: {shipped.summary_number('Steps/contact mappings built'):.0f}"
-        f" in {WIDTH - forces.overlap[-1]:.2f} m. Energy: "
+        f" in {shipped.series()['fault.mean_slip'][-1]:.2f} m of slip. Energy: "
         f"{shipped.summary_number('Energy/missing'):.3g} J/m missing, "
         f"{shipped.summary_number('Energy/missing, over the largest work'):.2g} of the "
         f"largest work, {shipped.summary_number('Energy/dissipated by friction'):.3g} "
@@ -212,7 +215,7 @@ def outcome(store):
         f"{steps} steps, {lost} nodes leave the contact; slip departs from the mean "
         f"slip rate times the step by at most {left:.2g} m; largest slip of a node in a "
         f"step {largest:.2g} m.\n\n"
-        + force_rows(forces) + "\n" + event_rows(shipped) + "\n"
+        + force_rows(forces) + "\n" + event_rows(shipped, forces) + "\n"
         + page.table(common.COST_TITLES, [common.cost(shipped)])
     )
     return common.Outcome(text, {"large_slip": lambda: draw(shipped, forces)})
@@ -253,12 +256,12 @@ def draw(shipped, forces):
     panel.plot(forces.overlap, NORMAL_STRESS * forces.overlap / WEIGHT, color=GREY,
                label="normal force in the friction law")
     series = shipped.series()
-    overlap = WIDTH - series["fault.mean_slip"]
+    overlap = forces.overlap_at(series["time"])
     every = slice(None, None, 20)
     panel.plot(overlap[every], (series["fault.mean_shear_traction"] * overlap)[every]
                / WEIGHT, color=VERMILION, linewidth=0.4, label="friction",
                rasterized=True)
-    panel.set(xlim=(5, 2.5), ylim=(0, 1.15), xlabel="overlap [m]",
+    panel.set(xlim=(5, 2.6), ylim=(0, 1.15), xlabel="overlap [m]",
               ylabel="force / weight")
     panel.legend(loc="lower left", ncol=3)
     panel.grid(alpha=0.3)
@@ -269,7 +272,7 @@ def draw(shipped, forces):
                    linewidth=0.4, label="largest", rasterized=True)
     panel.semilogy(overlap[every], series["fault.mean_slip_rate"][every], color=BLUE,
                    linewidth=0.4, label="mean", rasterized=True)
-    panel.set(xlim=(5, 2.5), ylim=(1e-6, 10), xlabel="overlap [m]",
+    panel.set(xlim=(5, 2.6), ylim=(1e-6, 10), xlabel="overlap [m]",
               ylabel="slip rate [m/s]")
     panel.legend(loc="lower left", ncol=2)
     title(panel, "Events")

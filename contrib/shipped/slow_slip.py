@@ -107,10 +107,13 @@ def cycle(time, rate):
     """Largest and least slip rate over the loading rate, and the period, in the last
     fifth of a run."""
     late = time > 0.8 * time[-1]
-    peak_times, peaks = common.maxima(time, np.log(rate))
-    peak_times = peak_times[(peak_times > 0.8 * time[-1]) & (
-        peaks > np.log(LOADING_RATE) + 1e-2)]
-    period = np.diff(peak_times).mean() if len(peak_times) > 2 else np.nan
+    values = np.log(rate / LOADING_RATE)
+    times, peaks = common.maxima(time, values)
+    # Near its maximum the slip rate of a fast event wavers.
+    chosen = (times > time[late][0]) & (peaks > max(0.01, 0.5 * values[late].max()))
+    gaps = np.diff(times[chosen])
+    gaps = gaps[gaps > 1]
+    period = gaps.mean() if len(gaps) > 1 else np.nan
     return (
         rate[late].max() / LOADING_RATE, rate[late].min() / LOADING_RATE, period
     )
