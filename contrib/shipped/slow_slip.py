@@ -43,6 +43,9 @@ def characteristic_slip(ratio):
 
 
 def end_time(ratio, periodic=True):
+    if periodic and ratio < 0.55:
+        # Waves of the length of the block grow soon after that.
+        return 200
     long = LONG_END if periodic else LONG_END_OF_BLOCK
     return long if 0.95 <= ratio < 1.1 else END
 
