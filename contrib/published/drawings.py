@@ -32,9 +32,9 @@ def new_figure(rows, columns=1, height=8.0, ratios=None, **options):
     )
 
 
-def save(figure, name):
+def save(figure, name, path=None):
     """As a PNG file of at most 256 colours, which is small; its path."""
-    path = IMAGES / f"results_{name}.png"
+    path = path or IMAGES / f"results_{name}.png"
     IMAGES.mkdir(exist_ok=True)
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", dpi=110)
