@@ -107,7 +107,8 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
     {
       const bool is_in = std::abs(nodes[k][0]) < 0.51;
       n_in += is_in;
-      EXPECT_EQ(patch.faults.law(k).a, is_in ? 0.005 : 0.02);
+      EXPECT_EQ(friction_parameters(patch.faults.law(k)).a,
+                is_in ? 0.005 : 0.02);
       EXPECT_EQ(&patch.faults.law(k), &patch.faults.law(is_in ? 8 : 0));
     }
   // Every 0.125 m there is a node.
@@ -119,7 +120,7 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
     varying.scene.faults[0].rate_and_state.a.values(nodes, "");
   EXPECT_EQ(varying.faults.laws().laws.size(), nodes.size());
   for (unsigned int k = 0; k < nodes.size(); ++k)
-    EXPECT_EQ(varying.faults.law(k).a, a[k]);
+    EXPECT_EQ(friction_parameters(varying.faults.law(k)).a, a[k]);
 }
 
 

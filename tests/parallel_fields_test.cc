@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "error_message.h"
-#include "parallel_comparison.h"
-#include "simulation_scenes.h"
+#include "shared_and_alone.h"
 #include "stepping_scene.h"
 
 using namespace StickSlip;
@@ -31,32 +30,16 @@ TEST(ParallelFields, FrictionThatVariesIsTheSame)
                 "Time/Largest step=0.05",
                 "Time/Tolerance=1e-3",
                 "TNNMG/Tolerance=1e-9"});
-  Simulation<2> shared(scene, MPI_COMM_WORLD);
-  Simulation<2> alone(scene, MPI_COMM_SELF);
-  for (Simulation<2> *simulation : {&shared, &alone})
+  SharedAndAlone runs(scene);
+  EXPECT_GT(runs.shared.spatial_problem().n_builds(), 2u);
+  for (unsigned int k = 0; k < runs.one.slip.size(); ++k)
     {
-      simulation->set_up();
-      while (!simulation->is_finished())
-        simulation->advance();
-    }
-  EXPECT_EQ(shared.state().time, alone.state().time);
-  EXPECT_GT(shared.spatial_problem().n_builds(), 2u);
-
-  const FaultSnapshot<2> ours = snapshots(shared).front(),
-                         one  = snapshots(alone).front();
-  ASSERT_EQ(ours.slip.size(), one.slip.size());
-  for (unsigned int k = 0; k < ours.slip.size(); ++k)
-    {
-      EXPECT_EQ(ours.points[k], one.points[k]);
-      EXPECT_NEAR(ours.slip[k][0], one.slip[k][0], 1e-6);
-      EXPECT_NEAR(ours.slip_rate[k][0], one.slip_rate[k][0], 1e-5);
-      EXPECT_NEAR(ours.state[k], one.state[k], 1e-4 * one.state[k]);
-      const double x = ours.points[k][0];
-      EXPECT_DOUBLE_EQ(shared.fault_nodes().law(k).a,
-                       0.02 + 0.008 * std::sin(3 * x));
-      EXPECT_EQ(shared.fault_nodes().law(k).b, x < 0. ? 0.01 : 0.005);
-      EXPECT_DOUBLE_EQ(shared.fault_nodes().law(k).characteristic_slip,
-                       0.25 * (1.2 + x));
+      const FaultLaw               &law      = runs.shared.fault_nodes().law(k);
+      const RateAndStateParameters &friction = friction_parameters(law);
+      const double                  x        = runs.one.points[k][0];
+      EXPECT_DOUBLE_EQ(friction.a, 0.02 + 0.008 * std::sin(3 * x));
+      EXPECT_EQ(friction.b, x < 0. ? 0.01 : 0.005);
+      EXPECT_DOUBLE_EQ(law.characteristic_slip, 0.25 * (1.2 + x));
     }
 }
 
@@ -80,30 +63,15 @@ TEST(ParallelFields, MaterialsThatVaryAreTheSame)
                 "Time/Inertia=quasi-dynamic",
                 "Time/End time=0.5",
                 "TNNMG/Tolerance=1e-9"});
-  Simulation<2> shared(scene, MPI_COMM_WORLD);
-  Simulation<2> alone(scene, MPI_COMM_SELF);
-  for (Simulation<2> *simulation : {&shared, &alone})
+  SharedAndAlone runs(scene, {1e-8, 1e-8, 1e-4});
+  double         largest = 0;
+  for (unsigned int k = 0; k < runs.one.slip.size(); ++k)
     {
-      simulation->set_up();
-      while (!simulation->is_finished())
-        simulation->advance();
-    }
-  EXPECT_EQ(shared.state().time, alone.state().time);
-  const FaultSnapshot<2> ours = snapshots(shared).front(),
-                         one  = snapshots(alone).front();
-  ASSERT_EQ(ours.slip.size(), one.slip.size());
-  double largest = 0;
-  for (unsigned int k = 0; k < ours.slip.size(); ++k)
-    {
-      EXPECT_EQ(ours.points[k], one.points[k]);
-      EXPECT_NEAR(ours.slip[k][0], one.slip[k][0], 1e-8);
-      EXPECT_NEAR(ours.slip_rate[k][0], one.slip_rate[k][0], 1e-8);
-      EXPECT_NEAR(ours.state[k], one.state[k], 1e-4 * one.state[k]);
-      EXPECT_EQ(shared.fault_nodes().law(k).radiation_damping,
-                alone.fault_nodes().law(k).radiation_damping);
-      EXPECT_EQ(shared.fault_nodes().normal_stress()[k],
-                alone.fault_nodes().normal_stress()[k]);
-      largest = std::max(largest, std::abs(one.slip_rate[k][0]));
+      EXPECT_EQ(runs.shared.fault_nodes().law(k).radiation_damping,
+                runs.alone.fault_nodes().law(k).radiation_damping);
+      EXPECT_EQ(runs.shared.fault_nodes().normal_stress()[k],
+                runs.alone.fault_nodes().normal_stress()[k]);
+      largest = std::max(largest, std::abs(runs.one.slip_rate[k][0]));
     }
   EXPECT_GT(largest, 1e-4);
 }

@@ -26,6 +26,16 @@ namespace StickSlip::Tests
 
 
 
+  /** The parameters of a node with rate-and-state friction. */
+  inline const RateAndStateParameters &
+  friction_parameters(const FaultLaw &law)
+  {
+    return dynamic_cast<const RateAndStateLaw &>(*law.friction)
+      .get_parameters();
+  }
+
+
+
   /**
    * A scene set up for time stepping without any output. Its time parameters
    * may be changed at any moment.
