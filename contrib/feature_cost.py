@@ -14,7 +14,9 @@ doc/feature_cost.md. The spring slider is run with one feature changed at a time
   of ratios to the run before as well: other programs disturb both alike;
 - on the published mesh to the end of the first event, with the default control.
 
-All runs are on one core. CPU seconds are those spent in the program (user time). With --tables nothing is measured; the tables are written anew.
+All runs are on one core. CPU seconds are those spent in the program (user time); those
+of the start are what is left of the short run without its steps. With --tables
+nothing is measured; the tables are written anew.
 """
 
 import argparse
@@ -30,7 +32,7 @@ SECTION = "feature cost"
 PAGE = programs.PROJECT / "doc/feature_cost.md"
 DATA = programs.PROJECT / "doc/data/feature_cost.csv"
 COLUMNS = (
-    "variant step_s ratio hierarchy_MiB resident_MiB iterations cycles "
+    "variant step_s ratio start_s hierarchy_MiB resident_MiB iterations cycles "
     "event_steps event_iterations event_cycles event_s event_start_s"
 ).split()
 
@@ -56,6 +58,29 @@ VARIANTS = {
     "contact stays (small slip)": {"Contact/Follow slip": "false"},
     "no balance of energy": {"Output/Energy balance": "false"},
     "no files of the bodies": {"Output/Write volume": "false"},
+    "a and b as expressions": {
+        "Faults/fault/a": "0.010 + 0*x", "Faults/fault/b": "0.015 + 0*x",
+    },
+    "Young modulus as an expression": {
+        f"{material}/Young modulus": "4.12e7 + 0*x" for material in MATERIALS
+    },
+    "a region with the same friction": {
+        "Faults/fault/Regions/Names": "middle",
+        "Faults/fault/Regions/middle/Where": "abs(x) < 1",
+    },
+    "normal stress follows": {"Faults/fault/Normal stress follows": "true"},
+    "lower body rigid": {
+        "Bodies/lower/Rigid": "true", "Faults/fault/Normal stress": "lithostatic",
+    },
+    "velocity strengthening": {"Faults/fault/Friction": "velocity strengthening"},
+    "Coulomb": {"Faults/fault/Friction": "Coulomb"},
+    "frictionless": {"Faults/fault/Friction": "frictionless"},
+    "welded": {"Faults/fault/Friction": "welded"},
+    "prescribed slip rate": {
+        "Faults/fault/Friction": "prescribed slip rate",
+        "Faults/fault/Slip rate along x": 2e-4,
+        "Faults/fault/Slip rate ramp length": 1,
+    },
 }
 STEP, SHORT, LONG = 0.01, 20, 220
 REFINED = {
@@ -87,6 +112,7 @@ def figure(results, key):
 def measure_steps(program, n_rounds):
     """One dictionary for each variant."""
     seconds = {name: [] for name in VARIANTS}
+    starts = {name: [] for name in VARIANTS}
     rows = {name: {"variant": name} for name in VARIANTS}
     for _ in range(n_rounds):
         for name, settings in VARIANTS.items():
@@ -99,6 +125,7 @@ def measure_steps(program, n_rounds):
                         folder,
                     )
             seconds[name].append((used[LONG] - used[SHORT]) / (LONG - SHORT))
+            starts[name].append(used[SHORT] - SHORT * seconds[name][-1])
             rows[name] |= {
                 "hierarchy_MiB": figure(results, "Memory/level hierarchy"),
                 "resident_MiB": figure(results, "Memory/largest resident size"),
@@ -113,6 +140,7 @@ def measure_steps(program, n_rounds):
     first = next(iter(VARIANTS))
     for name, row in rows.items():
         row["step_s"] = statistics.median(seconds[name])
+        row["start_s"] = statistics.median(starts[name])
         row["ratio"] = statistics.median(
             own / other for own, other in zip(seconds[name], seconds[first])
         )
@@ -135,7 +163,7 @@ def measure_event(program, settings):
 def tables(rows):
     steps = page.table(
         [
-            "scene", "CPU ms a step", "ratio", "levels, MiB",
+            "scene", "CPU ms a step", "ratio", "start, CPU s", "levels, MiB",
             "whole program, MiB", "TNNMG iterations", "cycles",
         ],
         [
@@ -143,6 +171,7 @@ def tables(rows):
                 row["variant"],
                 f"{1e3 * float(row['step_s']):.1f}",
                 f"{float(row['ratio']):.2f}",
+                f"{float(row['start_s']):.2f}",
                 f"{float(row['hierarchy_MiB']):.1f}",
                 f"{float(row['resident_MiB']):.0f}",
                 f"{float(row['iterations']):.2f}",
