@@ -98,8 +98,10 @@ namespace StickSlip
           std::min(below.lateral_upper[axis], above.lateral_upper[axis]);
       }
 
-    constexpr unsigned int  n_intervals = 20;
-    std::vector<Point<dim>> points;
+    // The corners and the centre first, which are easier to read in messages.
+    std::vector<Point<dim>> points =
+      points_of_flat_brick(lower, upper, dim - 1);
+    constexpr unsigned int n_intervals = 20;
     for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1); ++i)
       {
         Point<dim> point = lower;

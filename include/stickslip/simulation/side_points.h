@@ -26,8 +26,8 @@ namespace StickSlip
   body_points(const BodyGeometry<dim> &body);
 
   /**
-   * A grid of 21 points along each axis in the common part of two bodies'
-   * fault, m.
+   * The corners and the centre of the common part of two bodies' fault, and a
+   * grid of 21 points along each axis, m.
    */
   template <int dim>
   std::vector<Point<dim>>
