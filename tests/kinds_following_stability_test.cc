@@ -237,3 +237,19 @@ TEST(FollowingNormalStress, LetsWavesDecayIfFrictionGrowsFastWithSlipRate)
   // contrib/sliding_layers.py --waves 1 mu=0.2 a=0.1
   expect_exponent(sliding_layers(0.2, 0.1), Complex(-1.02375, 449.6241));
 }
+
+
+
+TEST(FollowingNormalStress, IsTheSameForAllSolvers)
+{
+  const SteadySliding theory = sliding_layers(0.6, 0.01);
+  const Complex       s(23.39016, -646.8638);
+  const auto          found = [&](const std::string &more) {
+    SteppingScene scene = make_scene(theory, 1, {more});
+    return simulated_exponent(scene, theory, s, 60);
+  };
+  const Complex expected = found("Time/Rate solver=TNNMG");
+  for (const std::string more :
+       {"Time/Rate solver=condensed Newton", "Time/Rate-state method=nested"})
+    EXPECT_LT(std::abs(found(more) - expected), 1e-4) << more;
+}
