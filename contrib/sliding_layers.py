@@ -51,12 +51,9 @@ class Layer:
     def moduli(self, s):
         """Shear modulus and first Lame parameter of a Kelvin-Voigt solid."""
         shear = self.young / 2 / (1 + self.poisson) + s * self.shear_viscosity
-        lame = (
-            self.young
-            * self.poisson
-            / ((1 + self.poisson) * (1 - 2 * self.poisson))
-            + s * (self.bulk_viscosity - 2 / 3 * self.shear_viscosity)
-        )
+        nu = self.poisson
+        lame = self.young * nu / ((1 + nu) * (1 - 2 * nu))
+        lame = lame + s * (self.bulk_viscosity - 2 / 3 * self.shear_viscosity)
         return shear, lame
 
 
@@ -100,12 +97,11 @@ def waves(layer, k, s, y, has_mass):
     p = np.sqrt(k**2 + rho * s**2 / (lame + 2 * mu)) if has_mass else k + 0 * s
     q = np.sqrt(k**2 + rho * s**2 / mu) if has_mass else k + 0 * s
     result = np.empty(s.shape + (4, 4), dtype=complex)
-    j = 0
-    for r, is_gradient in ((p, True), (-p, True), (q, False), (-q, False)):
+    for j, r in enumerate((p, -p, q, -q)):
         # From the end where exp(r y) is largest.
         start = np.where(r.real * h > 0, h, 0.0)
         e = np.exp(r * (y - start))
-        if is_gradient:
+        if j < 2:
             u, v = 1j * k * e, r * e
             du, dv = r * u, r * v
         elif has_mass:
@@ -122,7 +118,6 @@ def waves(layer, k, s, y, has_mass):
         result[..., 1, j] = v
         result[..., 2, j] = mu * (du + 1j * k * v)
         result[..., 3, j] = (lame + 2 * mu) * dv + lame * 1j * k * u
-        j += 1
     return result, (p + q) * layer.thickness, p * q
 
 
@@ -138,9 +133,8 @@ def determinant_matrix(scene, k, s):
     for i, layer in enumerate((scene.lower, scene.upper)):
         sign = (-1.0, 1.0)[i]
         columns = slice(4 * i, 4 * i + 4)
-        end, log_scale, product = waves(
-            layer, k, s, sign * layer.thickness, has_mass
-        )
+        h = sign * layer.thickness
+        end, log_scale, product = waves(layer, k, s, h, has_mass)
         matrix[..., 2 * i, columns] = end[..., 0, :]
         held = i == 0 or scene.top_is_held
         matrix[..., 2 * i + 1, columns] = end[..., 1 if held else 3, :] / (
@@ -301,9 +295,7 @@ def print_limits():
         for mu in (0.1, 0.2, 0.4, 0.6, 0.8):
 
             def make_scene(a, viscosity):
-                viscous = {
-                    "shear_viscosity": viscosity, "bulk_viscosity": viscosity
-                }
+                viscous = dict(shear_viscosity=viscosity, bulk_viscosity=viscosity)
                 return Scene(
                     Layer(young=young, **viscous), Layer(**viscous), mu=mu, a=a,
                     top_is_held=is_held,
