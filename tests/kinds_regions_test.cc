@@ -153,6 +153,14 @@ TEST(Regions, ThatCannotBeUsedAreSaidInOneSentence)
                            {"'Faults/main/Friction' = 'glue'",
                             "velocity strengthening",
                             "Coulomb"});
+  expect_one_sentence_with(message_of([]() {
+                             read_scene(two_bodies,
+                                        {"Faults/main/Friction=Coulomb",
+                                         "Time/Step size control=step "
+                                         "doubling"});
+                           }),
+                           {"'Time/Step size control' = 'step doubling'",
+                            "rate and state"});
   // What no node uses does not matter.
   EXPECT_EQ(message_of([]() {
               read_scene(two_bodies,

@@ -25,6 +25,9 @@ namespace StickSlip::Tests
    * Perturbations are u_x = Re[X(y) exp(st)] cos kx,
    * u_y = Re[Y(y) exp(st)] sin kx; the fault is y = 0, and the plates are at
    * y = -thickness of the lower layer and y = thickness of the upper one.
+   *
+   * Where the normal stress follows the contact pressure, waves travel:
+   * u_x = Re[X(y) exp(ikx + st)], u_y = Re[-i Y(y) exp(ikx + st)].
    */
   class SteadySliding
   {
@@ -42,6 +45,11 @@ namespace StickSlip::Tests
     bool                   with_inertia  = true;
     /** Pa s/m. */
     double radiation_damping = 0;
+    /** Whether u_y is zero at the upper plate, and not the normal traction. */
+    bool top_is_held = true;
+    /** Whether the normal stress of friction follows the contact pressure, at
+     * the reference friction coefficient. */
+    bool normal_stress_follows = false;
 
     /** A perturbation at one point: X, Y and the traction components
      * sigma_xy / cos kx and sigma_yy / sin kx. */
@@ -71,9 +79,14 @@ namespace StickSlip::Tests
     Complex
     characteristic_function(const Complex s) const
     {
-      return stiffness(s) + radiation_damping * s +
-             normal_stress *
-               (friction.a * s / slip_rate + friction.b * state(s));
+      const Complex balance =
+        stiffness(s) + radiation_damping * s +
+        normal_stress * (friction.a * s / slip_rate + friction.b * state(s));
+      if (!normal_stress_follows)
+        return balance;
+      // The contact pressure is i times this.
+      return balance + Complex(0., friction.reference_friction) *
+                         field(1, 0., s, coefficients(s)).normal;
     }
 
     /** Below this stiffness steady sliding is unstable without inertia and
@@ -134,12 +147,13 @@ namespace StickSlip::Tests
             const double sign   = layer == 0 ? -1. : 1.;
             const Field  plate = field(layer, sign * thickness[layer], s, unit);
             const Field  fault = field(layer, 0., s, unit);
-            matrix(2 * layer, 4 * layer + j)     = plate.X;
-            matrix(2 * layer + 1, 4 * layer + j) = plate.Y;
-            matrix(4, 4 * layer + j)             = sign * fault.X;
-            matrix(5, 4 * layer + j)             = sign * fault.Y;
-            matrix(6, 4 * layer + j)             = sign * fault.shear / G;
-            matrix(7, 4 * layer + j)             = sign * fault.normal / G;
+            matrix(2 * layer, 4 * layer + j) = plate.X;
+            matrix(2 * layer + 1, 4 * layer + j) =
+              layer == 0 || top_is_held ? plate.Y : plate.normal / G;
+            matrix(4, 4 * layer + j) = sign * fault.X;
+            matrix(5, 4 * layer + j) = sign * fault.Y;
+            matrix(6, 4 * layer + j) = sign * fault.shear / G;
+            matrix(7, 4 * layer + j) = sign * fault.normal / G;
           }
       rhs[4] = 1.;
       matrix.gauss_jordan();

@@ -261,6 +261,32 @@ namespace StickSlip
 
 
 
+    /** Step doubling compares states, so some part of a fault must have one. */
+    template <int dim>
+    void
+    check_doubling(const SceneParameters<dim> &scene)
+    {
+      if (scene.time.control != StepSizeControl::step_doubling ||
+          scene.faults.empty())
+        return;
+      const auto has_state = [](const FrictionParameters &friction) {
+        return friction.kind == FrictionKind::rate_and_state;
+      };
+      for (const FaultParameters &fault : scene.faults)
+        if (has_state(fault) || std::any_of(fault.regions.begin(),
+                                            fault.regions.end(),
+                                            [&](const FrictionRegion &region) {
+                                              return has_state(region.friction);
+                                            }))
+          return;
+      throw InputError(
+        naming("Time/Step size control", "step doubling") +
+        ": compares the states of two small steps and a large one, and no fault "
+        "has 'Friction' = 'rate and state'; choose embedded or constant.");
+    }
+
+
+
     /** What is said of a side of a rigid body must be a motion of all of it. */
     template <int dim>
     void
@@ -365,6 +391,7 @@ namespace StickSlip
     check_bodies(scene);
     check_materials(scene);
     check_faults(scene);
+    check_doubling(scene);
     check_boundary_conditions(scene);
 
     if (!scene.faults.empty() && scene.output.event_start_slip_rate == 0 &&

@@ -268,6 +268,9 @@ namespace StickSlip
         double difference = faults.l2_norm(change);
         if (follows)
           {
+            // The reaction is that of complete velocities.
+            if (!nested)
+              solver->finish(rhs, w);
             to.contact_pressure = contact_pressure(rhs, w);
             difference          = std::hypot(difference,
                                     faults.l2_norm(following_stress.apply(

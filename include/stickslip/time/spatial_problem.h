@@ -145,12 +145,6 @@ namespace StickSlip
     describe(std::vector<LevelDescription<dim>> &descriptions,
              const std::vector<JumpBasis<dim>>  &bases) const;
 
-    /** The nodes whose rows in the transfer from level l - 1 to @p l can depend
-     * on the contact mapping, in ascending order. */
-    std::vector<unsigned int>
-    rows_near_faults(const unsigned int                 l,
-                     const std::vector<JumpBasis<dim>> &bases) const;
-
     const MeshHierarchy<dim> &mesh_hierarchy;
     BoundaryValues<dim>      &boundary;
     std::vector<FaultSides>   sides;
