@@ -71,6 +71,7 @@ namespace StickSlip
             law.friction = std::make_shared<const CoulombLaw>(0.);
             break;
         }
+      AssertThrow(law.friction != nullptr, ExcInternalError());
       return law;
     }
   } // namespace

@@ -8,22 +8,18 @@
 
 namespace StickSlip
 {
-  namespace
+  template <int dim>
+  std::vector<unsigned int>
+  slave_nodes_of_all_faults(const JumpBasis<dim> &basis)
   {
-    /** Global numbers, in ascending order. */
-    template <int dim>
-    std::vector<unsigned int>
-    slave_nodes_of_all_faults(const JumpBasis<dim> &basis)
-    {
-      std::vector<unsigned int> nodes;
-      for (const FaultContact<dim> &fault : basis.faults())
-        nodes.insert(nodes.end(),
-                     fault.slave_nodes.begin(),
-                     fault.slave_nodes.end());
-      std::sort(nodes.begin(), nodes.end());
-      return nodes;
-    }
-  } // namespace
+    std::vector<unsigned int> nodes;
+    for (const FaultContact<dim> &fault : basis.faults())
+      nodes.insert(nodes.end(),
+                   fault.slave_nodes.begin(),
+                   fault.slave_nodes.end());
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  }
 
 
 
@@ -75,15 +71,17 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                          \
-  template NodeMask fixed_components<dim>(                  \
-    const MeshLevel<dim> &,                                 \
-    const NodeMask &,                                       \
-    const JumpBasis<dim> &,                                 \
-    const std::vector<types::global_dof_index> &);          \
-  template std::vector<unsigned int> rows_near_faults<dim>( \
-    const MeshHierarchy<dim> &,                             \
-    const unsigned int,                                     \
+#define STICKSLIP_INSTANTIATE(dim)                                   \
+  template NodeMask fixed_components<dim>(                           \
+    const MeshLevel<dim> &,                                          \
+    const NodeMask &,                                                \
+    const JumpBasis<dim> &,                                          \
+    const std::vector<types::global_dof_index> &);                   \
+  template std::vector<unsigned int> slave_nodes_of_all_faults<dim>( \
+    const JumpBasis<dim> &);                                         \
+  template std::vector<unsigned int> rows_near_faults<dim>(          \
+    const MeshHierarchy<dim> &,                                      \
+    const unsigned int,                                              \
     const std::vector<JumpBasis<dim>> &);
 
   STICKSLIP_INSTANTIATE(2)
