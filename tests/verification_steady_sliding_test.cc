@@ -7,8 +7,7 @@
 #include <sstream>
 
 #include "endless_layers.h"
-#include "steady_sliding.h"
-#include "stepping_scene.h"
+#include "sliding_wave.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -89,34 +88,18 @@ namespace
            std::log(theory.slip_rate / theory.friction.reference_slip_rate)) +
       theory.radiation_damping * theory.slip_rate;
 
-    SystemState<2>     &state = scene.state;
-    const MeshLevel<2> &level = scene.meshes.finest();
-    for (unsigned int b = 0; b < 2; ++b)
-      {
-        const std::vector<Point<2>> points = level.bodies[b]->node_positions();
-        for (unsigned int i = 0; i < points.size(); ++i)
-          {
-            const auto         field   = theory.field(b, points[i][1], s, c);
-            const unsigned int node    = level.node(b, i) * 2;
-            const Complex      wave[2] = {slip * field.X *
-                                            std::cos(k * points[i][0]),
-                                          slip * field.Y *
-                                            std::sin(k * points[i][0])};
-            for (unsigned int d = 0; d < 2; ++d)
-              {
-                state.displacement.local_element(node + d) = wave[d].real();
-                state.velocity.local_element(node + d) = (s * wave[d]).real();
-                if (state.acceleration.size() > 0)
-                  state.acceleration.local_element(node + d) =
-                    (s * s * wave[d]).real();
-              }
-            state.displacement.local_element(node) +=
-              shear_stress / theory.material[b].shear_modulus() * points[i][1];
-            if (b == 1)
-              state.velocity.local_element(node) += theory.slip_rate;
-          }
-      }
+    set_sliding_bodies(scene,
+                       theory,
+                       shear_stress,
+                       s,
+                       [&](const unsigned int b, const Point<2> &point) {
+                         const auto field = theory.field(b, point[1], s, c);
+                         return std::array<Complex, 2>{
+                           {slip * field.X * std::cos(k * point[0]),
+                            slip * field.Y * std::sin(k * point[0])}};
+                       });
 
+    SystemState<2>        &state = scene.state;
     const FaultContact<2> &fault = scene.problem.jump_basis().faults().front();
     const double           sign  = fault.sides.slave_is_upper() ? 1. : -1.;
     for (unsigned int p = 0; p < state.alpha.size(); ++p)
