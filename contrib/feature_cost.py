@@ -58,6 +58,16 @@ VARIANTS = {
     "contact stays (small slip)": {"Contact/Follow slip": "false"},
     "no balance of energy": {"Output/Energy balance": "false"},
     "no files of the bodies": {"Output/Write volume": "false"},
+    "no files but events and summary": {
+        "Output/Write volume": "false", "Output/Write faults": "false",
+        "Output/Time series steps": 0,
+    },
+    "all fields in the files": {
+        "Output/Fault fields": "slip, slip_rate, shear_traction, normal_stress, "
+        "state, contact_pressure, contact_weight",
+        "Output/Volume fields": "displacement, velocity, acceleration, stress, "
+        "strain, body, material",
+    },
     "a and b as expressions": {
         "Faults/fault/a": "0.010 + 0*x", "Faults/fault/b": "0.015 + 0*x",
     },

@@ -68,6 +68,10 @@ def read_fault(path, name):
         if name not in file:
             raise RunError(f"{path} holds no fault {name}.")
         group = file[name]
+        if "slip_rate" not in group:
+            raise RunError(
+                f"{path} holds no slip_rate; 'Output/Fault fields' must list it."
+            )
         x = np.array(group["coordinates"])
         time = np.array(group["time"]).ravel()
         rate = np.abs(np.array(group["slip_rate"]))

@@ -40,8 +40,20 @@ namespace
         fault.shear_traction.push_back(3 * vector);
         fault.normal_stress.push_back(1e4 + vector[0]);
         fault.state.push_back(vector[0] + 0.5);
+        fault.contact_pressure.push_back(2e4 + vector[0]);
       }
     return fault;
+  }
+
+
+
+  std::vector<FaultField>
+  all_fields()
+  {
+    std::vector<FaultField> fields;
+    for (const auto &field : fault_field_names())
+      fields.push_back(field.first);
+    return fields;
   }
 
 
@@ -116,7 +128,8 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
   {
     FaultHistory<2> history(folder.file("faults.h5"),
                             {numbered_fault<2>("lower", 4, 0),
-                             numbered_fault<2>("upper", 161, 0)});
+                             numbered_fault<2>("upper", 161, 0)},
+                            all_fields());
     for (unsigned int i = 0; i < n_records; ++i)
       history.add(0.1 * i,
                   {numbered_fault<2>("lower", 4, i),
@@ -144,7 +157,9 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
     {"slip_rate", "m/s"},
     {"shear_traction", "Pa"},
     {"normal_stress", "Pa"},
-    {"state", "s"}};
+    {"state", "s"},
+    {"contact_pressure", "Pa"},
+    {"contact_weight", "m"}};
   for (const auto &[name, unit] : units)
     {
       EXPECT_EQ(read_attribute(file, "upper/" + name, "units"), unit);
@@ -166,6 +181,9 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
     }
   EXPECT_EQ(read_array(file, "lower/normal_stress").values[4 * 7 + 2], 10702);
   EXPECT_EQ(read_array(file, "lower/state").values[4 * 7 + 2], 702.5);
+  EXPECT_EQ(read_array(file, "lower/contact_pressure").values[4 * 7 + 2],
+            20702);
+  EXPECT_EQ(read_array(file, "lower/contact_weight").values[4 * 7 + 2], 2.5);
 }
 
 
@@ -175,7 +193,8 @@ TEST(FaultHistory, HasTwoComponentsInThreeDimensions)
   const TemporaryFolder folder;
   {
     FaultHistory<3> history(folder.file("faults.h5"),
-                            {numbered_fault<3>("main", 5, 0)});
+                            {numbered_fault<3>("main", 5, 0)},
+                            all_fields());
     history.add(1, {numbered_fault<3>("main", 5, 1)});
   }
   const Hdf5Handle file = open_file(folder.file("faults.h5"));
@@ -187,11 +206,34 @@ TEST(FaultHistory, HasTwoComponentsInThreeDimensions)
 
 
 
+TEST(FaultHistory, HoldsWhatIsAskedFor)
+{
+  const TemporaryFolder folder;
+  {
+    FaultHistory<2> history(folder.file("faults.h5"),
+                            {numbered_fault<2>("main", 3, 0)},
+                            {FaultField::state});
+    history.add(0.5, {numbered_fault<2>("main", 3, 1)});
+  }
+  const Hdf5Handle file = open_file(folder.file("faults.h5"));
+  H5G_info_t       info;
+  const Hdf5Handle group(H5Gopen2(file, "main", H5P_DEFAULT),
+                         H5Gclose,
+                         "open main");
+  ASSERT_GE(H5Gget_info(group, &info), 0);
+  // With coordinates, weight and time.
+  EXPECT_EQ(info.nlinks, 4u);
+  EXPECT_EQ(read_array(file, "main/state").values.back(), 102.5);
+}
+
+
+
 TEST(FaultHistory, CanBeReadWhileItGrows)
 {
   const TemporaryFolder folder;
   FaultHistory<2>       history(folder.file("faults.h5"),
-                          {numbered_fault<2>("main", 3, 0)});
+                          {numbered_fault<2>("main", 3, 0)},
+                          all_fields());
   for (unsigned int i = 0; i < 5; ++i)
     {
       history.add(i, {numbered_fault<2>("main", 3, i)});
@@ -216,7 +258,8 @@ TEST(FaultHistory, SurvivesTheSuddenEndOfTheProgram)
   if (child == 0)
     {
       FaultHistory<2> history(folder.file("faults.h5"),
-                              {numbered_fault<2>("main", 3, 0)});
+                              {numbered_fault<2>("main", 3, 0)},
+                              all_fields());
       for (unsigned int i = 0; i < 20; ++i)
         history.add(i, {numbered_fault<2>("main", 3, i)});
       kill(getpid(), SIGKILL);
@@ -235,5 +278,6 @@ TEST(FaultHistory, SurvivesTheSuddenEndOfTheProgram)
 TEST(FaultHistory, ReportsAFileThatCannotBeMade)
 {
   const TemporaryFolder folder;
-  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"), {}), InputError);
+  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"), {}, {}),
+               InputError);
 }

@@ -96,7 +96,7 @@ TEST(ProgramParallel, WhatIsForOneProcessSaysSo)
 {
   const TemporaryFolder folder;
   folder.write("scene.prm", scene);
-  for (const std::pair<std::string, std::string> &entry :
+  for (const std::pair<std::string, std::string> entry :
        {std::make_pair("Time/Rate solver", "condensed Newton"),
         std::make_pair("TNNMG/Linear correction", "UMFPACK"),
         std::make_pair("TNNMG/Linear correction", "MUMPS"),

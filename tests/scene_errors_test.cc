@@ -74,6 +74,20 @@ TEST(SceneErrors, EntryOutOfRangeIsNamedWithFileAndLine)
 
 
 
+TEST(SceneErrors, OutputFieldsMustBeThere)
+{
+  expect_error(two_bodies,
+               {"Output/Fault fields=slip, state, tau"},
+               {"'Output/Fault fields' = 'slip, state, tau'",
+                "any of, separated by commas: slip, slip_rate, "});
+  expect_error(two_bodies,
+               {"Output/Volume fields=velocity, acceleration",
+                "Time/Inertia=quasi-static"},
+               {"'Output/Volume fields'", "'acceleration'", "'dynamic'"});
+}
+
+
+
 TEST(SceneErrors, OverridesAreCheckedLikeTheFile)
 {
   expect_error(two_bodies,

@@ -9,6 +9,7 @@
 #include <stickslip/version.h>
 
 #include <fstream>
+#include <functional>
 
 namespace StickSlip
 {
@@ -39,26 +40,74 @@ namespace StickSlip
 
 
 
-    Hdf5Series
-    described_series(const hid_t                 group,
-                     const std::string          &name,
-                     const std::vector<hsize_t> &record_shape,
-                     const std::string          &units,
-                     const std::string          &description)
+    /** How a field is written. */
+    template <int dim>
+    struct FieldDescription
     {
-      Hdf5Series series(group, name, record_shape);
-      describe(series.id(), units, description);
-      return series;
-    }
+      std::string units, description;
+      /** Extents of a record after the first one, which is that of nodes. */
+      std::vector<hsize_t> shape;
+      /** All values of a record, node by node. */
+      std::function<std::vector<double>(const FaultSnapshot<dim> &)> values;
+    };
 
 
 
     template <int dim>
-    std::vector<hsize_t>
-    vector_shape(const hsize_t n_nodes)
+    FieldDescription<dim>
+    describe(const FaultField field)
     {
-      return dim == 2 ? std::vector<hsize_t>{n_nodes} :
-                        std::vector<hsize_t>{n_nodes, dim - 1};
+      using Fault = FaultSnapshot<dim>;
+      const std::vector<hsize_t> vector =
+        dim == 2 ? std::vector<hsize_t>() : std::vector<hsize_t>{dim - 1};
+      switch (field)
+        {
+          case FaultField::slip:
+            return {"m",
+                    "slip of the upper body relative to the lower one, "
+                    "tangential components",
+                    vector,
+                    [](const Fault &fault) { return flatten(fault.slip); }};
+          case FaultField::slip_rate:
+            return {"m/s",
+                    "rate of the slip, tangential components",
+                    vector,
+                    [](const Fault &fault) {
+                      return flatten(fault.slip_rate);
+                    }};
+          case FaultField::shear_traction:
+            return {"Pa",
+                    "traction that resists the slip, with the sign of the "
+                    "slip rate",
+                    vector,
+                    [](const Fault &fault) {
+                      return flatten(fault.shear_traction);
+                    }};
+          case FaultField::normal_stress:
+            return {"Pa",
+                    "normal stress that friction feels, compression positive",
+                    {},
+                    [](const Fault &fault) { return fault.normal_stress; }};
+          case FaultField::state:
+            return {"s",
+                    "state theta of the friction law",
+                    {},
+                    [](const Fault &fault) { return fault.state; }};
+          case FaultField::contact_pressure:
+            return {"Pa",
+                    "force that keeps the sides together over the area, "
+                    "compression positive",
+                    {},
+                    [](const Fault &fault) { return fault.contact_pressure; }};
+          case FaultField::contact_weight:
+            return {dim == 2 ? "m" : "m^2",
+                    "share of each node in the area of contact; 0: not in "
+                    "contact",
+                    {},
+                    [](const Fault &fault) { return fault.weights; }};
+        }
+      AssertThrow(false, ExcInternalError());
+      return {};
     }
 
 
@@ -68,53 +117,51 @@ namespace StickSlip
     class FaultGroup
     {
     public:
-      FaultGroup(const hid_t file, const FaultSnapshot<dim> &fault);
+      FaultGroup(const hid_t                    file,
+                 const FaultSnapshot<dim>      &fault,
+                 const std::vector<FaultField> &fields);
 
       void
       append(const double time, const FaultSnapshot<dim> &fault);
 
     private:
-      unsigned int n_nodes;
-      Hdf5Handle   group;
-      Hdf5Series   time, slip, slip_rate, shear_traction, normal_stress, state;
+      struct Field
+      {
+        FieldDescription<dim> description;
+        Hdf5Series            series;
+      };
+
+      unsigned int       n_nodes;
+      Hdf5Handle         group;
+      Hdf5Series         time;
+      std::vector<Field> fields;
     };
 
 
 
     template <int dim>
-    FaultGroup<dim>::FaultGroup(const hid_t               file,
-                                const FaultSnapshot<dim> &fault)
+    FaultGroup<dim>::FaultGroup(const hid_t                    file,
+                                const FaultSnapshot<dim>      &fault,
+                                const std::vector<FaultField> &wanted)
       : n_nodes(fault.points.size())
       , group(create_hdf5_group(file, fault.name))
-      , time(described_series(group, "time", {}, "s", "time of each record"))
-      , slip(described_series(group,
-                              "slip",
-                              vector_shape<dim>(n_nodes),
-                              "m",
-                              "slip of the upper body relative to the lower "
-                              "one, tangential components"))
-      , slip_rate(described_series(group,
-                                   "slip_rate",
-                                   vector_shape<dim>(n_nodes),
-                                   "m/s",
-                                   "rate of the slip, tangential components"))
-      , shear_traction(described_series(group,
-                                        "shear_traction",
-                                        vector_shape<dim>(n_nodes),
-                                        "Pa",
-                                        "traction that resists the slip, with "
-                                        "the sign of the slip rate"))
-      , normal_stress(described_series(group,
-                                       "normal_stress",
-                                       {n_nodes},
-                                       "Pa",
-                                       "normal stress, compression positive"))
-      , state(described_series(group,
-                               "state",
-                               {n_nodes},
-                               "s",
-                               "state theta of the friction law"))
+      , time(group, "time", {})
     {
+      describe(time.id(), "s", "time of each record");
+      for (const auto &[field, name] : fault_field_names())
+        if (has_field(wanted, field))
+          {
+            const FieldDescription<dim> description = describe<dim>(field);
+            std::vector<hsize_t>        shape       = {n_nodes};
+            shape.insert(shape.end(),
+                         description.shape.begin(),
+                         description.shape.end());
+            fields.push_back({description, Hdf5Series(group, name, shape)});
+            describe(fields.back().series.id(),
+                     description.units,
+                     description.description);
+          }
+
       std::vector<double> coordinates;
       for (const Point<dim> &point : fault.points)
         for (unsigned int d = 0; d < dim; ++d)
@@ -136,11 +183,8 @@ namespace StickSlip
                             const FaultSnapshot<dim> &fault)
     {
       AssertDimension(fault.points.size(), n_nodes);
-      slip.append(flatten(fault.slip));
-      slip_rate.append(flatten(fault.slip_rate));
-      shear_traction.append(flatten(fault.shear_traction));
-      normal_stress.append(fault.normal_stress);
-      state.append(fault.state);
+      for (Field &field : fields)
+        field.series.append(field.description.values(fault));
       // Last, so that each time has its fields.
       time.append({new_time});
     }
@@ -153,7 +197,8 @@ namespace StickSlip
   {
   public:
     File(const std::string                     &file_name,
-         const std::vector<FaultSnapshot<dim>> &faults)
+         const std::vector<FaultSnapshot<dim>> &faults,
+         const std::vector<FaultField>         &fields)
       : file(create_hdf5_file(file_name))
     {
       write_hdf5_attribute(file, "program", "stickslip");
@@ -164,7 +209,7 @@ namespace StickSlip
                            "data sets: record, second: node");
       groups.reserve(faults.size());
       for (const FaultSnapshot<dim> &fault : faults)
-        groups.emplace_back(file, fault);
+        groups.emplace_back(file, fault, fields);
       flush();
     }
 
@@ -185,12 +230,13 @@ namespace StickSlip
 
   template <int dim>
   FaultHistory<dim>::FaultHistory(const std::string &file_name,
-                                  const std::vector<FaultSnapshot<dim>> &faults)
+                                  const std::vector<FaultSnapshot<dim>> &faults,
+                                  const std::vector<FaultField>         &fields)
   {
     // HDF5 would print a stack of its own.
     if (!std::ofstream(file_name))
       throw InputError("The file '" + file_name + "' cannot be written.");
-    file = std::make_unique<File>(file_name, faults);
+    file = std::make_unique<File>(file_name, faults, fields);
   }
 
 

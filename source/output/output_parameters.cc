@@ -14,6 +14,29 @@ namespace StickSlip
              directory,
              "Folder of all files; empty: output/ and the name of the "
              "parameter file.");
+    add_count(prm,
+              "Time series steps",
+              time_series_steps,
+              0,
+              1000000,
+              "A row is added to time_series.csv after every so many accepted "
+              "steps, and after the last one, without unit; 0: there is no "
+              "such file.");
+    add_switch(prm,
+               "Write faults",
+               write_faults,
+               "Whether faults.h5 is written.");
+    add_selection(
+      prm,
+      "Fault fields",
+      fault_fields,
+      fault_field_names(),
+      "What faults.h5 holds: slip (m), slip_rate (m/s), shear_traction (Pa), "
+      "normal_stress (Pa), state (s); contact_pressure (Pa), the force that "
+      "keeps the sides together over the area, which friction feels only "
+      "where the normal stress follows it; contact_weight, each node's share "
+      "in the area of contact (m, in three dimensions m^2), which changes as "
+      "bodies slide.");
     add_number(prm,
                "Fault slip rate factor",
                fault_slip_rate_factor,
@@ -42,6 +65,16 @@ namespace StickSlip
                "Write volume",
                write_volume,
                "Whether VTU files of the bodies are written.");
+    add_selection(
+      prm,
+      "Volume fields",
+      volume_fields,
+      volume_field_names(),
+      "What the VTU files hold: displacement (m), velocity (m/s), "
+      "acceleration (m/s^2, where there is inertia); of each cell's centre "
+      "stress (elastic part, Pa, tension positive), strain (without unit), "
+      "the number of the body from below, and the material, as far as it "
+      "varies in any body.");
     add_number(prm,
                "Volume slip rate factor",
                volume_slip_rate_factor,

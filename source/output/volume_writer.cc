@@ -11,6 +11,7 @@
 #include <stickslip/output/volume_writer.h>
 
 #include <fstream>
+#include <list>
 
 namespace StickSlip
 {
@@ -55,16 +56,12 @@ namespace StickSlip
 
 
 
-    /** One vector for each entry sigma_cd, c <= d, cell by cell. */
+    /** The strain of each cell's centre, in the order of the cells. */
     template <int dim>
-    std::vector<Vector<double>>
-    cell_stresses(const DoFHandler<dim>     &dofs,
-                  const Vector<double>      &displacement,
-                  const VolumeMaterial<dim> &material)
+    std::vector<SymmetricTensor<2, dim>>
+    cell_strains(const DoFHandler<dim> &dofs,
+                 const Vector<double>  &displacement)
     {
-      std::vector<Vector<double>> stresses(
-        dim * (dim + 1) / 2,
-        Vector<double>(dofs.get_triangulation().n_active_cells()));
       Point<dim> centre;
       for (unsigned int d = 0; d < dim; ++d)
         centre[d] = 0.5;
@@ -73,81 +70,179 @@ namespace StickSlip
                               update_gradients);
       const FEValuesExtractors::Vector     components(0);
       std::vector<SymmetricTensor<2, dim>> strain(1);
+      std::vector<SymmetricTensor<2, dim>> strains;
       for (const auto &cell : dofs.active_cell_iterators())
         {
           at_centre.reinit(cell);
           at_centre[components].get_function_symmetric_gradients(displacement,
                                                                  strain);
+          strains.push_back(strain[0]);
+        }
+      return strains;
+    }
+
+
+
+    /** Hooke's law for each cell. */
+    template <int dim>
+    std::vector<SymmetricTensor<2, dim>>
+    cell_stresses(const DoFHandler<dim>                      &dofs,
+                  const std::vector<SymmetricTensor<2, dim>> &strains,
+                  const VolumeMaterial<dim>                  &material)
+    {
+      std::vector<SymmetricTensor<2, dim>> stresses;
+      for (const auto &cell : dofs.active_cell_iterators())
+        {
+          const SymmetricTensor<2, dim> &strain =
+            strains[cell->active_cell_index()];
           const std::pair<double, double> lame =
             material.lame_parameters(cell->center());
-          const SymmetricTensor<2, dim> stress =
-            2. * lame.second * strain[0] +
-            lame.first * trace(strain[0]) * unit_symmetric_tensor<dim>();
-          unsigned int entry = 0;
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = c; d < dim; ++d)
-              stresses[entry++][cell->active_cell_index()] = stress[c][d];
+          stresses.push_back(2. * lame.second * strain +
+                             lame.first * trace(strain) *
+                               unit_symmetric_tensor<dim>());
         }
       return stresses;
     }
 
 
 
+    /** Collects the fields of one body. */
     template <int dim>
-    void
-    build_patches(DataOut<dim>              &data_out,
-                  const MeshLevel<dim>      &level,
-                  const unsigned int         body,
-                  const std::vector<double> &displacement,
-                  const std::vector<double> &velocity,
-                  const VolumeMaterial<dim> &material)
+    class BodyFields
     {
-      DoFHandler<dim> dofs(level.bodies[body]->triangulation());
-      dofs.distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
-      const Vector<double> u = values_of_body(level, body, dofs, displacement);
-      const Vector<double> v = values_of_body(level, body, dofs, velocity);
-      const std::vector<Vector<double>> stresses =
-        cell_stresses(dofs, u, material);
-      Vector<double> number_of_body(dofs.get_triangulation().n_active_cells());
-      number_of_body = body;
-      std::vector<Vector<double>> fields;
-      for (const auto &field : material.fields)
-        {
-          fields.emplace_back(number_of_body.size());
-          for (const auto &cell : dofs.active_cell_iterators())
-            fields.back()[cell->active_cell_index()] =
-              field.second(cell->center());
-        }
+    public:
+      BodyFields(DataOut<dim>         &data_out,
+                 const MeshLevel<dim> &level,
+                 const unsigned int    body)
+        : data_out(data_out)
+        , level(level)
+        , body(body)
+        , dofs(level.bodies[body]->triangulation())
+      {
+        dofs.distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
+        data_out.attach_dof_handler(dofs);
+      }
 
-      data_out.attach_dof_handler(dofs);
-      const auto add_vector = [&](const Vector<double> &values,
-                                  const std::string    &name) {
+      /** @p nodal: the values of all nodes of all bodies. */
+      Vector<double>
+      of_body(const std::vector<double> &nodal) const
+      {
+        return values_of_body(level, body, dofs, nodal);
+      }
+
+      const DoFHandler<dim> &
+      dof_handler() const
+      {
+        return dofs;
+      }
+
+      void
+      add_vector(const std::string &name, const Vector<double> &values)
+      {
         data_out.add_data_vector(
           values,
           std::vector<std::string>(dim, name),
           DataOut<dim>::type_dof_data,
           std::vector<DataComponentInterpretation::DataComponentInterpretation>(
             dim, DataComponentInterpretation::component_is_part_of_vector));
-      };
-      add_vector(u, "displacement");
-      add_vector(v, "velocity");
-      const std::string axes  = "xyz";
-      unsigned int      entry = 0;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = c; d < dim; ++d)
-          data_out.add_data_vector(stresses[entry++],
-                                   std::string("stress_") + axes[c] + axes[d],
-                                   DataOut<dim>::type_cell_data);
-      data_out.add_data_vector(number_of_body,
-                               "body",
-                               DataOut<dim>::type_cell_data);
-      for (unsigned int f = 0; f < fields.size(); ++f)
-        data_out.add_data_vector(fields[f],
-                                 material.fields[f].first,
+      }
+
+      /** One number a cell. */
+      void
+      add_numbers(const std::string                                     &name,
+                  const std::function<double(const unsigned int number,
+                                             const Point<dim>  &centre)> &value)
+      {
+        Vector<double> values(dofs.get_triangulation().n_active_cells());
+        for (const auto &cell : dofs.active_cell_iterators())
+          values[cell->active_cell_index()] =
+            value(cell->active_cell_index(), cell->center());
+        cell_values.push_back(std::move(values));
+        data_out.add_data_vector(cell_values.back(),
+                                 name,
                                  DataOut<dim>::type_cell_data);
-      data_out.build_patches();
-      // The patches stay; what they were made from goes with this function.
-      data_out.clear_input_data_references();
+      }
+
+      /** Entries c <= d, each as numbers by the name with the axes. */
+      void
+      add_tensors(const std::string                          &name,
+                  const std::vector<SymmetricTensor<2, dim>> &tensors)
+      {
+        const std::string axes = "xyz";
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = c; d < dim; ++d)
+            add_numbers(name + "_" + axes[c] + axes[d],
+                        [&](const unsigned int number, const Point<dim> &) {
+                          return tensors[number][c][d];
+                        });
+      }
+
+      /** The patches stay; what they were made from goes with this object. */
+      void
+      finish()
+      {
+        data_out.build_patches();
+        data_out.clear_input_data_references();
+      }
+
+    private:
+      DataOut<dim>             &data_out;
+      const MeshLevel<dim>     &level;
+      const unsigned int        body;
+      DoFHandler<dim>           dofs;
+      std::list<Vector<double>> cell_values;
+    };
+
+
+
+    template <int dim>
+    void
+    build_patches(DataOut<dim>                   &data_out,
+                  const MeshLevel<dim>           &level,
+                  const unsigned int              number,
+                  const VolumeNodalValues        &nodal,
+                  const VolumeMaterial<dim>      &material,
+                  const std::vector<VolumeField> &wanted)
+    {
+      BodyFields<dim> body(data_out, level, number);
+      // Vectors must live until the patches are built.
+      std::list<Vector<double>> nodal_values;
+      const auto                add_nodal = [&](const VolumeField          field,
+                                 const std::string         &name,
+                                 const std::vector<double> &values) {
+        if (!has_field(wanted, field))
+          return;
+        nodal_values.push_back(body.of_body(values));
+        body.add_vector(name, nodal_values.back());
+      };
+      add_nodal(VolumeField::displacement, "displacement", nodal.displacement);
+      add_nodal(VolumeField::velocity, "velocity", nodal.velocity);
+      add_nodal(VolumeField::acceleration, "acceleration", nodal.acceleration);
+
+      const bool with_stress = has_field(wanted, VolumeField::stress),
+                 with_strain = has_field(wanted, VolumeField::strain);
+      if (with_stress || with_strain)
+        {
+          const std::vector<SymmetricTensor<2, dim>> strains =
+            cell_strains(body.dof_handler(), body.of_body(nodal.displacement));
+          if (with_stress)
+            body.add_tensors(
+              "stress", cell_stresses(body.dof_handler(), strains, material));
+          if (with_strain)
+            body.add_tensors("strain", strains);
+        }
+      if (has_field(wanted, VolumeField::body))
+        body.add_numbers("body", [&](const unsigned int, const Point<dim> &) {
+          return number;
+        });
+      if (has_field(wanted, VolumeField::material))
+        for (const auto &[name, value] : material.fields)
+          body.add_numbers(name,
+                           [&value = value](const unsigned int,
+                                            const Point<dim> &centre) {
+                             return value(centre);
+                           });
+      body.finish();
     }
   } // namespace
 
@@ -159,21 +254,17 @@ namespace StickSlip
                const unsigned int                      number,
                const double                            time,
                const MeshLevel<dim>                   &level,
-               const std::vector<double>              &displacement,
-               const std::vector<double>              &velocity,
-               const std::vector<VolumeMaterial<dim>> &materials)
+               const VolumeNodalValues                &values,
+               const std::vector<VolumeMaterial<dim>> &materials,
+               const std::vector<VolumeField>         &fields)
   {
     // The patches of the first body, to which those of the others are added.
     DataOut<dim> all;
     for (unsigned int body = 0; body < level.bodies.size(); ++body)
       {
         DataOut<dim> one;
-        build_patches(body == 0 ? all : one,
-                      level,
-                      body,
-                      displacement,
-                      velocity,
-                      materials[body]);
+        build_patches(
+          body == 0 ? all : one, level, body, values, materials[body], fields);
         if (body > 0)
           all.merge_patches(one);
       }
@@ -197,20 +288,16 @@ namespace StickSlip
 
 
 
-  template std::string
-  write_volume<2>(const std::string &,
-                  const unsigned int,
-                  const double,
-                  const MeshLevel<2> &,
-                  const std::vector<double> &,
-                  const std::vector<double> &,
-                  const std::vector<VolumeMaterial<2>> &);
-  template std::string
-  write_volume<3>(const std::string &,
-                  const unsigned int,
-                  const double,
-                  const MeshLevel<3> &,
-                  const std::vector<double> &,
-                  const std::vector<double> &,
-                  const std::vector<VolumeMaterial<3>> &);
+#define STICKSLIP_INSTANTIATE(dim)            \
+  template std::string write_volume<dim>(     \
+    const std::string &,                      \
+    const unsigned int,                       \
+    const double,                             \
+    const MeshLevel<dim> &,                   \
+    const VolumeNodalValues &,                \
+    const std::vector<VolumeMaterial<dim>> &, \
+    const std::vector<VolumeField> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

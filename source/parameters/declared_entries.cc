@@ -25,19 +25,23 @@ namespace StickSlip
         return "any text";
       if (FieldPattern::is_described_by(description))
         return FieldPattern::in_words(description);
-      const std::string selection = "[Selection ";
-      if (description.rfind(selection, 0) != 0)
-        return description;
-
-      std::string words;
-      for (const char c : description.substr(selection.size()))
-        if (c == '|')
-          words += ", ";
-        else if (c != ']')
-          words += c;
-      while (!words.empty() && words.back() == ' ')
-        words.pop_back();
-      return "one of: " + words;
+      for (const auto &[beginning, choice] :
+           {std::make_pair(std::string("[Selection "), "one of: "),
+            std::make_pair(std::string("[MultipleSelection "),
+                           "any of, separated by commas: ")})
+        if (description.rfind(beginning, 0) == 0)
+          {
+            std::string words;
+            for (const char c : description.substr(beginning.size()))
+              if (c == '|')
+                words += ", ";
+              else if (c != ']')
+                words += c;
+            while (!words.empty() && words.back() == ' ')
+              words.pop_back();
+            return choice + words;
+          }
+      return description;
     }
 
 

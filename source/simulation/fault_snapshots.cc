@@ -36,6 +36,9 @@ namespace StickSlip
             snapshot.slip_rate.push_back(sign * state.slip_rate[k]);
             snapshot.normal_stress.push_back(normal_stress);
             snapshot.state.push_back(std::exp(state.alpha[k]));
+            if (!state.contact_pressure.empty())
+              snapshot.contact_pressure.push_back(
+                nodes.in_contact(k) ? state.contact_pressure[k] : 0.);
             snapshot.shear_traction.push_back(sign *
                                               shear_traction(nodes, state, k));
           }

@@ -74,7 +74,9 @@ namespace StickSlip
     state.velocity     = 0.;
     if (scene.time.inertia == Inertia::dynamic)
       state.acceleration = state.velocity;
-    bool follows = false;
+    bool with_pressure =
+      has_field(scene.output.fault_fields, FaultField::contact_pressure) &&
+      scene.output.write_faults;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
         const FaultParameters         &fault = scene.faults[f];
@@ -91,9 +93,9 @@ namespace StickSlip
               for (unsigned int i = 0; i < theta.size(); ++i)
                 state.alpha[first + part.positions[i]] = std::log(theta[i]);
             }
-        follows = follows || fault.normal_stress_follows;
+        with_pressure = with_pressure || fault.normal_stress_follows;
       }
-    if (follows)
+    if (with_pressure)
       state.contact_pressure = equilibrium.contact_pressure;
     state.slip.resize(state.alpha.size());
     state.slip_rate.resize(state.alpha.size());

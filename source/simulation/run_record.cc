@@ -4,7 +4,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/algebra/magnitude.h>
-#include <stickslip/output/volume_writer.h>
 #include <stickslip/simulation/agreement.h>
 #include <stickslip/simulation/loading_rate.h>
 #include <stickslip/simulation/run_record.h>
@@ -88,17 +87,23 @@ namespace StickSlip
   RunRecord<dim>::Files::Files(const SceneParameters<dim>            &scene,
                                const std::vector<FaultSnapshot<dim>> &faults)
     : directory(prepared_directory(scene.output.directory))
-    , time_series(directory.file("time_series.csv"), names_of(scene))
     , catalogue(directory.file("events.csv"),
                 names_of(scene),
                 event_start_slip_rate(scene),
                 scene.output.event_end_fraction)
-    , history(directory.file("faults.h5"), faults)
     , pvd(directory.file("solution.pvd"))
     , progress(std::cout,
                Progress::standard_output_is_terminal(),
                scene.time.end_time)
   {
+    if (scene.output.time_series_steps > 0)
+      time_series =
+        std::make_unique<TimeSeries<dim>>(directory.file("time_series.csv"),
+                                          names_of(scene));
+    if (scene.output.write_faults)
+      history = std::make_unique<FaultHistory<dim>>(directory.file("faults.h5"),
+                                                    faults,
+                                                    scene.output.fault_fields);
     write_parameters(scene, directory.file("parameters.prm"));
   }
 
@@ -134,9 +139,12 @@ namespace StickSlip
                       const SystemState<dim>                &state,
                       const std::vector<FaultSnapshot<dim>> &faults)
   {
-    last_step        = step;
-    last_state       = &state;
-    last_faults      = faults;
+    last_step   = step;
+    last_state  = &state;
+    last_faults = faults;
+    is_new      = true;
+    // The state at the start is no step.
+    in_time_series   = (step.step == 0);
     in_fault_history = in_volume_output = false;
 
     last_slip_rate = 0;
@@ -146,8 +154,10 @@ namespace StickSlip
           last_slip_rate =
             std::max(last_slip_rate, magnitude(fault.slip_rate[k]));
 
-    write(true,
-          fault_cadence.is_due(step.time, last_slip_rate),
+    const unsigned int every = scene.output.time_series_steps;
+    write(every > 0 && step.step > 0 && step.step % every == 0,
+          scene.output.write_faults &&
+            fault_cadence.is_due(step.time, last_slip_rate),
           scene.output.write_volume &&
             volume_cadence.is_due(step.time, last_slip_rate));
   }
@@ -160,33 +170,32 @@ namespace StickSlip
                         const bool fault_history,
                         const bool volume)
   {
-    std::vector<double> displacement, velocity;
-    if (volume)
-      {
-        displacement = gather_on_first(last_state->displacement);
-        velocity     = gather_on_first(last_state->velocity);
-      }
+    const VolumeNodalValues values =
+      volume ? gather_volume() : VolumeNodalValues();
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;
+      if (is_new)
+        {
+          is_new = false;
+          files->catalogue.add(last_step.time, last_faults);
+          if (last_step.step > 0)
+            files->progress.update(last_step.time,
+                                   last_step.step_size,
+                                   last_slip_rate);
+        }
       if (series)
         {
-          if (last_step.step > 0)
-            {
-              files->time_series.add(last_step, last_faults);
-              files->progress.update(last_step.time,
-                                     last_step.step_size,
-                                     last_slip_rate);
-            }
-          files->catalogue.add(last_step.time, last_faults);
+          files->time_series->add(last_step, last_faults);
+          in_time_series = true;
         }
       if (fault_history)
         {
-          files->history.add(last_step.time, last_faults);
+          files->history->add(last_step.time, last_faults);
           in_fault_history = true;
         }
       if (volume)
-        write_volume_now(displacement, velocity);
+        write_volume_now(values);
     });
     if (fault_history)
       fault_cadence.note_written(last_step.time, last_slip_rate);
@@ -200,18 +209,36 @@ namespace StickSlip
 
 
   template <int dim>
+  VolumeNodalValues
+  RunRecord<dim>::gather_volume() const
+  {
+    const std::vector<VolumeField> &fields = scene.output.volume_fields;
+    VolumeNodalValues               values;
+    if (has_field(fields, VolumeField::displacement) ||
+        has_field(fields, VolumeField::stress) ||
+        has_field(fields, VolumeField::strain))
+      values.displacement = gather_on_first(last_state->displacement);
+    if (has_field(fields, VolumeField::velocity))
+      values.velocity = gather_on_first(last_state->velocity);
+    if (has_field(fields, VolumeField::acceleration))
+      values.acceleration = gather_on_first(last_state->acceleration);
+    return values;
+  }
+
+
+
+  template <int dim>
   void
-  RunRecord<dim>::write_volume_now(const std::vector<double> &displacement,
-                                   const std::vector<double> &velocity)
+  RunRecord<dim>::write_volume_now(const VolumeNodalValues &values)
   {
     files->pvd.add(last_step.time,
                    write_volume(scene.output.directory,
                                 n_volumes++,
                                 last_step.time,
                                 level,
-                                displacement,
-                                velocity,
-                                volume_materials(scene)));
+                                values,
+                                volume_materials(scene),
+                                scene.output.volume_fields));
   }
 
 
@@ -222,8 +249,8 @@ namespace StickSlip
   {
     if (files)
       files->progress.finish();
-    write(false,
-          !in_fault_history,
+    write(scene.output.time_series_steps > 0 && !in_time_series,
+          scene.output.write_faults && !in_fault_history,
           scene.output.write_volume && !in_volume_output);
     carry_out_agreed(communicator, [&]() {
       if (!files)

@@ -79,7 +79,7 @@ namespace StickSlip
 
 
     void
-    check_output(const OutputParameters &output)
+    check_output(const OutputParameters &output, const Inertia inertia)
     {
       check_order("Output",
                   "Fault shortest interval",
@@ -91,6 +91,10 @@ namespace StickSlip
                   output.volume_shortest_interval,
                   "Volume longest interval",
                   output.volume_longest_interval);
+      if (output.write_volume && inertia != Inertia::dynamic &&
+          has_field(output.volume_fields, VolumeField::acceleration))
+        throw InputError("'Output/Volume fields' lists 'acceleration', which "
+                         "there is for 'Time/Inertia' = 'dynamic' only.");
     }
 
 
@@ -387,7 +391,7 @@ namespace StickSlip
   check_scene(const SceneParameters<dim> &scene)
   {
     check_time(scene.time);
-    check_output(scene.output);
+    check_output(scene.output, scene.time.inertia);
     check_bodies(scene);
     check_materials(scene);
     check_faults(scene);

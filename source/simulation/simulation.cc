@@ -206,10 +206,10 @@ namespace StickSlip
       make_normal_stress(scene, basis, equilibrium, nodes_in_tension));
     check_restraint(scene, faults);
     current = make_initial_state(scene, basis, equilibrium);
-    if (!current.contact_pressure.empty())
-      following_stress = FollowingStress<dim>(faults_that_follow(scene),
-                                              faults,
-                                              current.contact_pressure);
+    const std::vector<bool> follow = faults_that_follow(scene);
+    if (std::find(follow.begin(), follow.end(), true) != follow.end())
+      following_stress =
+        FollowingStress<dim>(follow, faults, current.contact_pressure);
     slip_at_build = current.slip;
     if (scene.output.energy_balance)
       energy = std::make_unique<EnergyBalance<dim>>(problem, faults, current);

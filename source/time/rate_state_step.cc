@@ -299,6 +299,8 @@ namespace StickSlip
 
     if (!nested)
       solver->finish(rhs, w);
+    if (!follows && !from.contact_pressure.empty())
+      to.contact_pressure = contact_pressure(rhs, w);
     problem.to_nodal(to.velocity, w);
     to.slip_rate = faults.tangential_jumps(w);
     to.balancing_traction =

@@ -5,6 +5,7 @@
 #define stickslip_output_fault_history_h
 
 #include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/output_fields.h>
 
 #include <memory>
 #include <string>
@@ -17,14 +18,19 @@ namespace StickSlip
    *
    * One group per fault holds the data sets
    *
-   *   coordinates     nodes x dim             reference positions, m
-   *   weight          nodes                   of the first record, m^(dim-1)
-   *   time            records                 s
-   *   slip            records x nodes [x 2]   m
-   *   slip_rate       records x nodes [x 2]   m/s
-   *   shear_traction  records x nodes [x 2]   Pa
-   *   normal_stress   records x nodes         Pa
-   *   state           records x nodes         s
+   *   coordinates       nodes x dim             reference positions, m
+   *   weight            nodes                   of the first record, m^(dim-1)
+   *   time              records                 s
+   *
+   * and, as far as they are asked for,
+   *
+   *   slip              records x nodes [x 2]   m
+   *   slip_rate         records x nodes [x 2]   m/s
+   *   shear_traction    records x nodes [x 2]   Pa
+   *   normal_stress     records x nodes         Pa
+   *   state             records x nodes         s
+   *   contact_pressure  records x nodes         Pa
+   *   contact_weight    records x nodes         m^(dim-1)
    *
    * where the last extent of tangential vectors is there in three dimensions
    * only. Each data set has the attributes `units` and `description`; the root
@@ -43,7 +49,8 @@ namespace StickSlip
      * is not made of it. Throws InputError if the file cannot be made.
      */
     FaultHistory(const std::string                     &file_name,
-                 const std::vector<FaultSnapshot<dim>> &faults);
+                 const std::vector<FaultSnapshot<dim>> &faults,
+                 const std::vector<FaultField>         &fields);
 
     ~FaultHistory();
 

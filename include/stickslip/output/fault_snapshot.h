@@ -44,6 +44,10 @@ namespace StickSlip
 
     /** State theta, s. */
     std::vector<double> state;
+
+    /** The force that keeps the sides together over the area, Pa; empty where
+     * nobody asks for it. */
+    std::vector<double> contact_pressure;
   };
 
   /**

@@ -6,7 +6,10 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <stickslip/output/output_fields.h>
+
 #include <string>
+#include <vector>
 
 namespace StickSlip
 {
@@ -20,6 +23,18 @@ namespace StickSlip
     /** Folder of all files; empty: output/<name of the parameter file>. */
     std::string directory;
 
+    /** Cadence of time_series.csv: a row after every so many accepted steps;
+     * zero: no such file. */
+    unsigned int time_series_steps = 1;
+
+    /** Whether and with what faults.h5 is written. */
+    bool                    write_faults = true;
+    std::vector<FaultField> fault_fields = {FaultField::slip,
+                                            FaultField::slip_rate,
+                                            FaultField::shear_traction,
+                                            FaultField::normal_stress,
+                                            FaultField::state};
+
     /** Cadence of faults.h5: a record is written when the largest slip rate
      * of any fault has changed by this factor since the last one, ... */
     double fault_slip_rate_factor = 2.;
@@ -32,11 +47,16 @@ namespace StickSlip
     double fault_longest_interval = 0.5;
 
     /** The same for the VTU files. */
-    double volume_slip_rate_factor  = 100.;
-    double volume_slip_interval     = 1e-4;
-    double volume_shortest_interval = 0.05;
-    double volume_longest_interval  = 5.;
-    bool   write_volume             = true;
+    bool                     write_volume  = true;
+    std::vector<VolumeField> volume_fields = {VolumeField::displacement,
+                                              VolumeField::velocity,
+                                              VolumeField::stress,
+                                              VolumeField::body,
+                                              VolumeField::material};
+    double                   volume_slip_rate_factor  = 100.;
+    double                   volume_slip_interval     = 1e-4;
+    double                   volume_shortest_interval = 0.05;
+    double                   volume_longest_interval  = 5.;
 
     /** An event begins when the mean slip rate of a fault rises above this,
      * m/s; zero: twice the largest prescribed velocity. */

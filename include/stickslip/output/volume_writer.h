@@ -6,6 +6,7 @@
 
 #include <stickslip/algebra/node_partition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/output/output_fields.h>
 
 #include <functional>
 #include <string>
@@ -32,16 +33,21 @@ namespace StickSlip
   };
 
   /**
-   * Write displacement (m), velocity (m/s), stress (Pa) and the number of the
-   * body of all bodies into one VTU file in @p directory, with the ending
-   * for this step; returns its name.
+   * Values of all nodes in the order of their global numbers, see
+   * gather_on_first(): m, m/s, m/s^2. Those that no field needs may be empty.
+   */
+  struct VolumeNodalValues
+  {
+    std::vector<double> displacement, velocity, acceleration;
+  };
+
+  /**
+   * Write the @p fields of all bodies into one VTU file in @p directory, with
+   * the ending for this step; returns its name. One process writes for all.
    *
-   * The nodal values are those of all nodes in the order of their global
-   * numbers, see gather_on_first(); one process writes for all.
-   *
-   * The stress is the elastic one, of each cell's centre, tension positive. In
-   * two dimensions the stress out of the plane is left out. Fields of
-   * @p materials are those of the centre, too.
+   * Stress (Pa) and strain are those of each cell's centre; the stress is the
+   * elastic one, tension positive. In two dimensions the stress out of the
+   * plane is left out. Fields of @p materials are those of the centre, too.
    */
   template <int dim>
   std::string
@@ -49,9 +55,9 @@ namespace StickSlip
                const unsigned int                      number,
                const double                            time,
                const MeshLevel<dim>                   &level,
-               const std::vector<double>              &displacement,
-               const std::vector<double>              &velocity,
-               const std::vector<VolumeMaterial<dim>> &materials);
+               const VolumeNodalValues                &values,
+               const std::vector<VolumeMaterial<dim>> &materials,
+               const std::vector<VolumeField>         &fields);
 } // namespace StickSlip
 
 #endif

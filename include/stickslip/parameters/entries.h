@@ -5,10 +5,12 @@
 #define stickslip_parameters_entries_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/spatial_field.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -115,6 +117,40 @@ namespace StickSlip
       for (const auto &word : words)
         if (word.second == text)
           value = word.first;
+    });
+  }
+
+
+
+  /** Declare a list of any of the words that stand for an enumeration,
+   * separated by commas; it may be empty. */
+  template <typename Enumeration>
+  void
+  add_selection(ParameterHandler                                       &prm,
+                const std::string                                      &entry,
+                std::vector<Enumeration>                               &values,
+                const std::vector<std::pair<Enumeration, std::string>> &words,
+                const std::string &documentation)
+  {
+    std::string sequence, current;
+    for (const auto &word : words)
+      {
+        sequence += (sequence.empty() ? "" : "|") + word.second;
+        if (std::find(values.begin(), values.end(), word.first) != values.end())
+          current += (current.empty() ? "" : ", ") + word.second;
+      }
+    prm.declare_entry(entry,
+                      current,
+                      Patterns::MultipleSelection(sequence),
+                      documentation);
+    prm.add_action(entry, [&values, words](const std::string &text) {
+      const std::vector<std::string> chosen =
+        Utilities::split_string_list(text);
+      values.clear();
+      for (const auto &word : words)
+        if (std::find(chosen.begin(), chosen.end(), word.second) !=
+            chosen.end())
+          values.push_back(word.first);
     });
   }
 } // namespace StickSlip

@@ -13,6 +13,7 @@
 #include <stickslip/output/pvd_record.h>
 #include <stickslip/output/run_summary.h>
 #include <stickslip/output/time_series.h>
+#include <stickslip/output/volume_writer.h>
 #include <stickslip/simulation/scene_parameters.h>
 #include <stickslip/time/system_state.h>
 
@@ -49,14 +50,17 @@ namespace StickSlip
     finish(const RunSummary &summary);
 
   private:
-    /** Write the parts asked for of the last step; the volume's is
-     * gathered first. */
+    /** Add the last step to the files asked for; the volume's part is gathered
+     * first. */
     void
     write(const bool series, const bool fault_history, const bool volume);
 
+    /** What the VTU files need. Collective. */
+    VolumeNodalValues
+    gather_volume() const;
+
     void
-    write_volume_now(const std::vector<double> &displacement,
-                     const std::vector<double> &velocity);
+    write_volume_now(const VolumeNodalValues &values);
 
     /** What only the process has that writes. */
     struct Files
@@ -65,11 +69,12 @@ namespace StickSlip
             const std::vector<FaultSnapshot<dim>> &faults);
 
       const OutputDirectory directory;
-      TimeSeries<dim>       time_series;
       EventCatalogue<dim>   catalogue;
-      FaultHistory<dim>     history;
       PvdRecord             pvd;
       Progress              progress;
+      /** Those that are asked for. */
+      std::unique_ptr<TimeSeries<dim>>   time_series;
+      std::unique_ptr<FaultHistory<dim>> history;
     };
 
     const SceneParameters<dim> &scene;
@@ -81,12 +86,14 @@ namespace StickSlip
 
     unsigned int n_volumes = 0;
 
-    /** The last step taken in, and whether it is in the files; of the fault
-     * history only the process knows that writes. */
+    /** The last step taken in, and whether it is in the files; but for those of
+     * the bodies only the process knows that writes. */
     StepRecord                      last_step;
     const SystemState<dim>         *last_state = nullptr;
     std::vector<FaultSnapshot<dim>> last_faults;
     double                          last_slip_rate   = 0;
+    bool                            is_new           = false;
+    bool                            in_time_series   = true;
     bool                            in_fault_history = true;
     bool                            in_volume_output = true;
   };

@@ -50,8 +50,8 @@ namespace StickSlip
      * tell it (shear_traction.h), Pa; empty if there are none. */
     std::vector<Tensor<1, dim - 1>> balancing_traction;
 
-    /** At each slave node, Pa, see contact_pressures(); empty where no normal
-     * stress follows it. */
+    /** At each slave node, Pa, see contact_pressures(); empty where nobody
+     * needs it. */
     std::vector<double> contact_pressure;
   };
 
