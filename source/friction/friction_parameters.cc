@@ -62,6 +62,26 @@ namespace StickSlip
 
 
 
+  bool
+  FrictionParameters::has_state() const
+  {
+    switch (kind)
+      {
+        case FrictionKind::rate_and_state:
+          return true;
+        case FrictionKind::velocity_strengthening:
+        case FrictionKind::coulomb:
+        case FrictionKind::frictionless:
+        case FrictionKind::welded:
+        case FrictionKind::prescribed_slip_rate:
+          return false;
+      }
+    AssertThrow(false, ExcInternalError());
+    return false;
+  }
+
+
+
   template <int dim>
   std::vector<Tensor<1, dim - 1>>
   FrictionParameters::prescribed_slip_rates(

@@ -85,7 +85,7 @@ namespace StickSlip
         const unsigned int first = state.alpha.size();
         state.alpha.resize(first + points.size(), 0.);
         for (const FaultPart &part : fault.parts(points))
-          if (part.friction->kind == FrictionKind::rate_and_state)
+          if (part.friction->has_state())
             {
               const std::vector<double> theta =
                 part.friction->initial_state.values(part.select(points),

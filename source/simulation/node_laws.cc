@@ -42,12 +42,32 @@ namespace StickSlip
 
 
 
+    /** All numbers of a law, those of friction and the radiation damping. Laws
+     * of one kind are the same where these are. */
+    using Numbers = std::array<double, 6>;
+
+    static_assert(sizeof(RateAndStateParameters) == 5 * sizeof(double),
+                  "Each parameter of friction must be among the numbers.");
+
+    Numbers
+    numbers(const RateAndStateParameters &p, const double damping)
+    {
+      return {{p.a,
+               p.b,
+               p.reference_friction,
+               p.reference_slip_rate,
+               p.characteristic_slip,
+               damping}};
+    }
+
+
+
     /** The law of one kind of friction with the parameters of one node. */
     FaultLaw
     make_law(const FrictionParameters &friction, RateAndStateParameters p)
     {
       FaultLaw law;
-      law.has_state           = (friction.kind == FrictionKind::rate_and_state);
+      law.has_state           = friction.has_state();
       law.state_law           = friction.state_law;
       law.characteristic_slip = p.characteristic_slip;
       law.is_prescribed       = friction.has_prescribed_slip();
@@ -92,25 +112,20 @@ namespace StickSlip
         result.of_node.resize(first + points.size());
         for (const FaultPart &part : scene.faults[f].parts(points))
           {
-            std::map<std::array<double, 6>, unsigned int> known;
-            const std::vector<RateAndStateParameters>     parameters =
+            std::map<Numbers, unsigned int>           known;
+            const std::vector<RateAndStateParameters> parameters =
               part.friction->rate_and_state.values(part.select(points),
                                                    part.section);
             for (unsigned int i = 0; i < parameters.size(); ++i)
               {
-                const RateAndStateParameters &p = parameters[i];
-                const auto [place, is_new]      = known.emplace(
-                  std::array<double, 6>{{p.a,
-                                              p.b,
-                                              p.reference_friction,
-                                              p.reference_slip_rate,
-                                              p.characteristic_slip,
-                                              damping[part.positions[i]]}},
-                  result.laws.size());
+                const auto [place, is_new] =
+                  known.emplace(numbers(parameters[i],
+                                        damping[part.positions[i]]),
+                                result.laws.size());
                 result.of_node[first + part.positions[i]] = place->second;
                 if (!is_new)
                   continue;
-                result.laws.push_back(make_law(*part.friction, p));
+                result.laws.push_back(make_law(*part.friction, parameters[i]));
                 result.laws.back().radiation_damping =
                   damping[part.positions[i]];
               }

@@ -273,15 +273,13 @@ namespace StickSlip
       if (scene.time.control != StepSizeControl::step_doubling ||
           scene.faults.empty())
         return;
-      const auto has_state = [](const FrictionParameters &friction) {
-        return friction.kind == FrictionKind::rate_and_state;
-      };
       for (const FaultParameters &fault : scene.faults)
-        if (has_state(fault) || std::any_of(fault.regions.begin(),
-                                            fault.regions.end(),
-                                            [&](const FrictionRegion &region) {
-                                              return has_state(region.friction);
-                                            }))
+        if (fault.has_state() ||
+            std::any_of(fault.regions.begin(),
+                        fault.regions.end(),
+                        [](const FrictionRegion &region) {
+                          return region.friction.has_state();
+                        }))
           return;
       throw InputError(
         naming("Time/Step size control", "step doubling") +

@@ -297,7 +297,8 @@ namespace StickSlip
     if (!result.converged)
       return result;
 
-    if (!nested)
+    // Where the normal stress follows, that has been done.
+    if (!nested && !follows)
       solver->finish(rhs, w);
     if (!follows && !from.contact_pressure.empty())
       to.contact_pressure = contact_pressure(rhs, w);

@@ -59,6 +59,10 @@ namespace StickSlip
     /** Time in which it grows from zero, s. */
     double slip_rate_ramp_length = 0;
 
+    /** Whether friction depends on a state that evolves. */
+    bool
+    has_state() const;
+
     /** Whether the slip rate is known, so that no friction acts. */
     bool
     has_prescribed_slip() const;
