@@ -76,7 +76,6 @@ namespace StickSlip
       for (const OverlapCell<dim> &cell : compute_face_overlap(
              slave, slave_positions, master, master_positions))
         {
-          const auto          &slave_face  = slave.faces[cell.slave_face];
           const auto          &master_face = master.faces[cell.master_face];
           const FaceShape<dim> slave_shape(
             slave.face_vertices(slave_positions, cell.slave_face));
