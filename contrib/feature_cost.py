@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the stickslip authors
 """Measure what each feature of the model costs, feature by feature.
 
-Usage: feature_cost.py [--program FILE] [--rounds N] [--tables]
+Usage: feature_cost.py [--program FILE] [--rounds N] [--instructions | --tables]
 
 Writes doc/data/feature_cost.csv and the tables between the marks in
 doc/feature_cost.md. The spring slider is run with one feature changed at a time:
@@ -15,13 +15,17 @@ doc/feature_cost.md. The spring slider is run with one feature changed at a time
 - on the published mesh to the end of the first event, with the default control.
 
 All runs are on one core. CPU seconds are those spent in the program (user time); those
-of the start are what is left of the short run without its steps. With --tables
-nothing is measured; the tables are written anew.
+of the start are what is left of the short run without its steps. With --instructions
+nothing of this is measured, but the instructions that valgrind (which must be there)
+counts in the steps of the first kind and at the start: no other program disturbs them.
+With --tables nothing is measured; the tables are written anew.
 """
 
 import argparse
+import concurrent.futures
 import os
 import pathlib
+import re
 import statistics
 import subprocess
 import tempfile
@@ -32,7 +36,8 @@ SECTION = "feature cost"
 PAGE = programs.PROJECT / "doc/feature_cost.md"
 DATA = programs.PROJECT / "doc/data/feature_cost.csv"
 COLUMNS = (
-    "variant step_s ratio start_s hierarchy_MiB resident_MiB iterations cycles "
+    "variant step_instructions start_instructions "
+    "step_s ratio start_s hierarchy_MiB resident_MiB iterations cycles "
     "event_steps event_iterations event_cycles event_s event_start_s"
 ).split()
 
@@ -93,17 +98,24 @@ VARIANTS = {
     },
 }
 STEP, SHORT, LONG = 0.01, 20, 220
+# Steps at the end of a run whose instructions are counted.
+LONG_COUNTED = 70
 REFINED = {
     f"Bodies/{body}/Uniform refinements": 2 for body in ("lower", "upper")
 } | {"Time/Step size control": "constant", "Time/Largest step": STEP}
 
 
-def run(program, settings, folder):
-    """CPU seconds in the program, and what its summary says."""
-    output = pathlib.Path(folder) / "run"
+def command_line(program, settings, output):
     command = [str(program), "parameters/spring_slider.prm"]
     for entry, value in (settings | {"Output/Output directory": output}).items():
         command += ["--set", f"{entry}={value}"]
+    return command
+
+
+def run(program, settings, folder):
+    """CPU seconds in the program, and what its summary says."""
+    output = pathlib.Path(folder) / "run"
+    command = command_line(program, settings, output)
     process = subprocess.Popen(
         command,
         cwd=programs.PROJECT,
@@ -113,6 +125,31 @@ def run(program, settings, folder):
     )
     _, _, usage = os.wait4(process.pid, 0)
     return usage.ru_utime, runs.results(output)
+
+
+def count_instructions(program, settings, n_steps):
+    """Instructions of a run on the refined mesh."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = command_line(
+            program, REFINED | settings | {"Time/End time": n_steps * STEP}, folder
+        )
+        outcome = subprocess.run(
+            ["valgrind", "--tool=cachegrind", "--cache-sim=no",
+             "--cachegrind-out-file=/dev/null", *command],
+            cwd=programs.PROJECT, capture_output=True, text=True, check=True,
+            env=os.environ | {"OMP_NUM_THREADS": "1"},
+        )
+    return int(re.search(r"I +refs: +([\d,]+)", outcome.stderr)[1].replace(",", ""))
+
+
+def measure_instructions(program, name):
+    """Of a step, and of everything before the first one."""
+    short, long = (
+        count_instructions(program, VARIANTS[name], n) for n in (SHORT, LONG_COUNTED)
+    )
+    step = (long - short) / (LONG_COUNTED - SHORT)
+    print(f"{name}: {step / 1e6:.2f} million instructions a step", flush=True)
+    return {"step_instructions": step, "start_instructions": short - SHORT * step}
 
 
 def figure(results, key):
@@ -173,12 +210,15 @@ def measure_event(program, settings):
 def tables(rows):
     steps = page.table(
         [
-            "scene", "CPU ms a step", "ratio", "start, CPU s", "levels, MiB",
-            "whole program, MiB", "TNNMG iterations", "cycles",
+            "scene", "million instructions a step", "at the start", "CPU ms a step",
+            "ratio", "start, CPU s", "levels, MiB", "whole program, MiB",
+            "TNNMG iterations", "cycles",
         ],
         [
             [
                 row["variant"],
+                f"{float(row['step_instructions']) / 1e6:.2f}",
+                f"{float(row['start_instructions']) / 1e6:,.0f}",
                 f"{1e3 * float(row['step_s']):.1f}",
                 f"{float(row['ratio']):.2f}",
                 f"{float(row['start_s']):.2f}",
@@ -213,14 +253,30 @@ def tables(rows):
     )
 
 
-def measure(arguments):
+def measure_seconds(arguments):
     rows = measure_steps(arguments.program, arguments.rounds)
     for name, settings in VARIANTS.items():
         rows[name] |= measure_event(arguments.program, settings)
         print(f"{name}: {rows[name]['event_s']:.1f} s", flush=True)
-    written = [
-        {c: page.rounded(row.get(c, "")) for c in COLUMNS} for row in rows.values()
-    ]
+    return rows
+
+
+def measure_counts(arguments):
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        counts = pool.map(
+            lambda name: measure_instructions(arguments.program, name), VARIANTS
+        )
+        return dict(zip(VARIANTS, counts, strict=True))
+
+
+def keep(rows):
+    """Write what was measured; what was not stays."""
+    old = {row["variant"]: row for row in csv_file.read(DATA)}
+    written = []
+    for name in VARIANTS:
+        row = {"variant": name} | old.get(name, {})
+        row |= {column: page.rounded(value) for column, value in rows[name].items()}
+        written.append({column: row.get(column, "nan") for column in COLUMNS})
     csv_file.write(DATA, COLUMNS, written)
 
 
@@ -232,10 +288,14 @@ def main():
         "--program", type=pathlib.Path, default=programs.PROJECT / "build/stickslip"
     )
     parser.add_argument("--rounds", type=int, default=4)
-    parser.add_argument("--tables", action="store_true")
+    only = parser.add_mutually_exclusive_group()
+    only.add_argument("--instructions", action="store_true")
+    only.add_argument("--tables", action="store_true")
     arguments = parser.parse_args()
-    if not arguments.tables:
-        measure(arguments)
+    if arguments.instructions:
+        keep(measure_counts(arguments))
+    elif not arguments.tables:
+        keep(measure_seconds(arguments))
     page.replace_section(
         SECTION, tables(csv_file.read(DATA)), PAGE, "contrib/feature_cost.py"
     )
