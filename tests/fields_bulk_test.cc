@@ -341,7 +341,9 @@ TEST(BulkFields, AManufacturedDisplacementConvergesWithSecondOrder)
       const double error = manufactured_error(n);
       std::cout << n << " x " << n << " cells: error " << error << " m^2\n";
       if (last > 0.)
-        EXPECT_NEAR(std::log2(last / error), 2., 0.1) << n;
+        {
+          EXPECT_NEAR(std::log2(last / error), 2., 0.1) << n;
+        }
       last = error;
     }
   EXPECT_LT(last, 2e-3);
