@@ -86,6 +86,12 @@ VARIED = {
         | {"Gravity/Acceleration": "981"},
         VARIED_END,
     ),
+    "quasi_dynamic": layered(
+        "quasi-dynamic", {"Time/Inertia": "quasi-dynamic"}, VARIED_END
+    ),
+    "quasi_static": layered(
+        "quasi-static", {"Time/Inertia": "quasi-static"}, VARIED_END
+    ),
     "no_viscosity": layered(
         "viscosity 0",
         of_all_bodies(LAYERED, "Material/Shear viscosity", "0")
