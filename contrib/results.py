@@ -14,37 +14,26 @@ are not done stay.
 
 import argparse
 import sys
-import time
 
 import matplotlib
 
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
-from measure import programs
-from published import sections
-from published.store import Store
+from published import sections, store
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--only", choices=list(sections.SECTIONS), metavar="SECTION")
-    parser.add_argument("--keep", metavar="FOLDER")
-    parser.add_argument("--program", default=programs.PROJECT / "build/stickslip")
+    store.add_arguments(parser, sections.SECTIONS)
     arguments = parser.parse_args()
 
-    begin = time.monotonic()
-
-    def log(message):
-        print(f"{time.monotonic() - begin:.0f} s: {message}", flush=True)
-
-    with programs.temporary_folder() as folder:
-        store = Store(arguments.keep or folder, arguments.program, log)
+    with store.opened(arguments) as runs:
         for name, section in sections.SECTIONS.items():
             if arguments.only not in (None, name):
                 continue
-            outcome = section(store, arguments.quick)
+            outcome = section(runs, arguments.quick)
             if arguments.quick:
                 print("\n" + outcome.text, flush=True)
                 for draw in outcome.figures.values():

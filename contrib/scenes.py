@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the stickslip authors
 """Run the shipped scenes and measure what they teach.
 
-Usage: scenes.py [--only SCENE] [--keep FOLDER] [--program FILE] [--print]
+Usage: scenes.py [--only SECTION] [--keep FOLDER] [--program FILE] [--print]
 
 To be started by contrib/scenes, which builds the program. Writes the tables between
 the marks in doc/scenes.md and the figures doc/images/scene_*.png; with --print the
@@ -12,14 +12,13 @@ tables are printed only.
 
 import argparse
 import sys
-import time
 
 import matplotlib
 
 matplotlib.use("Agg")
 
 from measure import page, programs
-from published.store import Store
+from published import store
 from shipped import common, large_slip, nine_bodies, slow_slip, weakening_patch
 
 PAGE = programs.PROJECT / "doc/scenes.md"
@@ -33,23 +32,15 @@ SECTIONS = {
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--only", choices=list(SECTIONS), metavar="SCENE")
-    parser.add_argument("--keep", metavar="FOLDER")
-    parser.add_argument("--program", default=programs.PROJECT / "build/stickslip")
+    store.add_arguments(parser, SECTIONS)
     parser.add_argument("--print", action="store_true")
     arguments = parser.parse_args()
 
-    begin = time.monotonic()
-
-    def log(message):
-        print(f"{time.monotonic() - begin:.0f} s: {message}", flush=True)
-
-    with programs.temporary_folder() as folder:
-        store = Store(arguments.keep or folder, arguments.program, log)
+    with store.opened(arguments) as runs:
         for name, section in SECTIONS.items():
             if arguments.only not in (None, name):
                 continue
-            outcome = section(store)
+            outcome = section(runs)
             if arguments.print:
                 print("\n" + outcome.text, flush=True)
             else:

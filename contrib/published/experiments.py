@@ -4,6 +4,8 @@
 
 import dataclasses
 
+from .store import Case
+
 SLIDER = "parameters/spring_slider.prm"
 LAYERED = "parameters/layered_five_bodies.prm"
 # Counted from below, as published.
@@ -23,15 +25,10 @@ PUBLISHED_CONTROL = {
 
 
 @dataclasses.dataclass(frozen=True)
-class Experiment:
-    """One run of the program: a scene, what is set anew, and its end in s."""
+class Experiment(Case):
+    """A run of a published experiment, with its end in s."""
 
-    title: str
-    scene: str
-    settings: tuple = ()
     end_time: float = 60.0
-    # s of computing after which it is interrupted.
-    longest: float = 14400.0
 
     def all_settings(self):
         return {
@@ -56,7 +53,9 @@ def of_inner_faults(entry, value):
 
 
 def layered(title, settings, end_time):
-    return Experiment(title, LAYERED, tuple(sorted(settings.items())), end_time)
+    return Experiment(
+        title, LAYERED, tuple(sorted(settings.items())), end_time=end_time
+    )
 
 
 # s: after the first four events of the top fault.

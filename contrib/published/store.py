@@ -2,14 +2,31 @@
 # Copyright (C) 2026 by the stickslip authors
 """Finished runs in a folder, each done only once."""
 
+import contextlib
+import dataclasses
 import hashlib
 import json
 import pathlib
 import shutil
+import time
 
 import plot_run
 from measure import programs, runs
 from study.slider import run_measured, write_done
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """A run of the program: its title, the file of the scene, and what is set anew."""
+
+    title: str
+    scene: str
+    settings: tuple = ()
+    # s of computing after which it is interrupted.
+    longest: float = 14400.0
+
+    def all_settings(self):
+        return dict(self.settings)
 
 
 class Run:
@@ -75,6 +92,25 @@ class Store:
             done = Run(experiment, folder)
             self.log(f"{experiment.title}: {done.cpu_seconds:.0f} s {done.note}")
         return Run(experiment, folder)
+
+
+def add_arguments(parser, sections):
+    """What a script takes that runs sections of a page."""
+    parser.add_argument("--only", choices=list(sections), metavar="SECTION")
+    parser.add_argument("--keep", metavar="FOLDER")
+    parser.add_argument("--program", default=programs.PROJECT / "build/stickslip")
+
+
+@contextlib.contextmanager
+def opened(arguments):
+    """The store that such a script was asked for; it tells when a run is done."""
+    begin = time.monotonic()
+
+    def log(message):
+        print(f"{time.monotonic() - begin:.0f} s: {message}", flush=True)
+
+    with programs.temporary_folder() as folder:
+        yield Store(arguments.keep or folder, arguments.program, log)
 
 
 def digest(experiment):

@@ -7,22 +7,9 @@ import dataclasses
 import numpy as np
 from measure.figures import IMAGES
 from published import drawings
+from published.store import Case
 
 PARAMETERS = "parameters"
-
-
-@dataclasses.dataclass(frozen=True)
-class Case:
-    """A run of a scene: its title, its file, and what is set anew."""
-
-    title: str
-    scene: str
-    settings: tuple = ()
-    # s of computing after which it is interrupted.
-    longest: float = 3600.0
-
-    def all_settings(self):
-        return dict(self.settings)
 
 
 @dataclasses.dataclass
