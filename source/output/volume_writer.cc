@@ -205,26 +205,29 @@ namespace StickSlip
                   const std::vector<VolumeField> &wanted)
     {
       BodyFields<dim> body(data_out, level, number);
-      // Vectors must live until the patches are built.
-      std::list<Vector<double>> nodal_values;
-      const auto                add_nodal = [&](const VolumeField          field,
-                                 const std::string         &name,
-                                 const std::vector<double> &values) {
-        if (!has_field(wanted, field))
-          return;
-        nodal_values.push_back(body.of_body(values));
-        body.add_vector(name, nodal_values.back());
-      };
-      add_nodal(VolumeField::displacement, "displacement", nodal.displacement);
-      add_nodal(VolumeField::velocity, "velocity", nodal.velocity);
-      add_nodal(VolumeField::acceleration, "acceleration", nodal.acceleration);
+      // They must live until the patches are built.
+      Vector<double> displacement, velocity, acceleration;
+      if (!nodal.displacement.empty())
+        displacement = body.of_body(nodal.displacement);
+      if (has_field(wanted, VolumeField::displacement))
+        body.add_vector("displacement", displacement);
+      if (has_field(wanted, VolumeField::velocity))
+        {
+          velocity = body.of_body(nodal.velocity);
+          body.add_vector("velocity", velocity);
+        }
+      if (has_field(wanted, VolumeField::acceleration))
+        {
+          acceleration = body.of_body(nodal.acceleration);
+          body.add_vector("acceleration", acceleration);
+        }
 
       const bool with_stress = has_field(wanted, VolumeField::stress),
                  with_strain = has_field(wanted, VolumeField::strain);
       if (with_stress || with_strain)
         {
           const std::vector<SymmetricTensor<2, dim>> strains =
-            cell_strains(body.dof_handler(), body.of_body(nodal.displacement));
+            cell_strains(body.dof_handler(), displacement);
           if (with_stress)
             body.add_tensors(
               "stress", cell_stresses(body.dof_handler(), strains, material));
