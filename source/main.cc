@@ -3,12 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/parameters/agreed_failure.h>
-#include <stickslip/parameters/input_error.h>
-#include <stickslip/simulation/agreement.h>
-#include <stickslip/simulation/command_line.h>
-#include <stickslip/simulation/scene_reader.h>
-#include <stickslip/simulation/scene_writer.h>
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/base/agreement.h>
+#include <stickslip/base/input_error.h>
+#include <stickslip/scene/command_line.h>
+#include <stickslip/scene/scene_reader.h>
+#include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/version.h>
 

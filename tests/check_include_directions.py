@@ -15,23 +15,33 @@ import sys
 
 # What each module may include besides itself: modules, or single headers.
 ALLOWED = {
-    "algebra": (),
-    "parameters": (),
-    "mesh": ("parameters", "algebra"),
-    "mechanics": ("parameters", "mesh", "algebra"),
-    "friction": (
-        "parameters", "algebra/magnitude.h", "tnnmg/nonsmooth_functional.h",
+    "base": (),
+    "algebra": ("base",),
+    "multigrid": ("algebra", "base"),
+    "tnnmg": ("parameters", "multigrid", "algebra", "base"),
+    "condensed": ("tnnmg", "multigrid", "algebra", "base"),
+    "parameters": ("base",),
+    "mesh": ("parameters", "algebra", "base"),
+    "mortar": ("parameters", "mesh", "algebra", "base"),
+    "mechanics": ("parameters", "mesh", "algebra", "base"),
+    "friction": ("parameters", "base", "tnnmg/nonsmooth_functional.h"),
+    "faults": ("friction", "mechanics", "mortar", "mesh", "algebra", "base"),
+    "problem": (
+        "faults", "mechanics", "mortar", "mesh", "multigrid", "algebra", "base",
     ),
-    "mortar": ("parameters", "mesh", "algebra"),
-    "tnnmg": ("parameters", "algebra"),
     "time": (
-        "parameters", "tnnmg", "friction", "mortar", "mechanics", "mesh",
-        "algebra",
+        "problem", "faults", "friction", "parameters", "condensed", "tnnmg",
+        "algebra", "base",
     ),
-    "output": ("parameters", "mesh", "algebra"),
+    "output": ("parameters", "mesh", "algebra", "base"),
+    "scene": (
+        "output", "time", "friction", "mechanics", "mortar", "mesh",
+        "parameters", "tnnmg", "base",
+    ),
     "simulation": (
-        "parameters", "output", "time", "tnnmg", "friction", "mortar",
-        "mechanics", "mesh", "algebra",
+        "scene", "output", "time", "problem", "faults", "friction", "mechanics",
+        "mortar", "mesh", "parameters", "condensed", "tnnmg", "multigrid",
+        "algebra", "base",
     ),
 }
 

@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/friction/rate_and_state.h>
-#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include "condensed_newton.h"
+#include "project_directories.h"
 
 using namespace StickSlip;
 

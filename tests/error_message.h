@@ -5,7 +5,7 @@
 #define stickslip_tests_error_message_h
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/input_error.h>
+#include <stickslip/base/input_error.h>
 
 #include <string>
 #include <vector>

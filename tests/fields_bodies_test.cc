@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/input_error.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/simulation/lithostatic_stress.h>
 #include <stickslip/simulation/simulation.h>
 

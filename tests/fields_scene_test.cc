@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/input_error.h>
-#include <stickslip/simulation/scene_reader.h>
-#include <stickslip/simulation/scene_writer.h>
+#include <stickslip/base/input_error.h>
+#include <stickslip/scene/scene_reader.h>
+#include <stickslip/scene/scene_writer.h>
 
 #include <sstream>
 

@@ -6,7 +6,7 @@
 
 #include <stickslip/friction/fault_friction.h>
 #include <stickslip/friction/rate_and_state.h>
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/multigrid/level_hierarchy.h>
 
 #include <random>
 

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_snapshots.h>
-#include <stickslip/simulation/scene_reader.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/simulation/loading_rate.h>
-#include <stickslip/simulation/scene_writer.h>
+#include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/scene_writer.h>
 
 #include <sstream>
 

@@ -4,8 +4,8 @@
 #ifndef stickslip_tests_layered_slider_h
 #define stickslip_tests_layered_slider_h
 
+#include <stickslip/problem/spatial_problem.h>
 #include <stickslip/time/newmark.h>
-#include <stickslip/time/spatial_problem.h>
 
 #include <functional>
 

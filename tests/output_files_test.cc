@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/output/interrupt.h>
 #include <stickslip/output/output_cadence.h>
@@ -9,7 +10,6 @@
 #include <stickslip/output/progress.h>
 #include <stickslip/output/pvd_record.h>
 #include <stickslip/output/run_summary.h>
-#include <stickslip/parameters/input_error.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/fault_history.h>
 #include <stickslip/output/hdf5_file.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/version.h>
 #include <sys/wait.h>
 #include <unistd.h>

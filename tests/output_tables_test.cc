@@ -2,10 +2,10 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/event_catalogue.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/time_series.h>
-#include <stickslip/parameters/input_error.h>
 
 #include <cmath>
 #include <sstream>

@@ -4,9 +4,9 @@
 #include <deal.II/base/exceptions.h>
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/agreed_failure.h>
-#include <stickslip/parameters/input_error.h>
-#include <stickslip/simulation/agreement.h>
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/base/agreement.h>
+#include <stickslip/base/input_error.h>
 
 #include "parallel_comparison.h"
 

@@ -7,7 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/mesh/mesh_hierarchy.h>
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/multigrid/level_hierarchy.h>
 
 #include <map>
 #include <vector>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/agreed_failure.h>
+#include <stickslip/base/agreed_failure.h>
 
 #include "nan_in_debug_mode.h"
 #include "parallel_comparison.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "creeping_scene.h"
+#include "project_directories.h"
 #include "run_program.h"
 
 using namespace StickSlip;

@@ -5,6 +5,7 @@
 
 #include "creeping_scene.h"
 #include "nan_in_debug_mode.h"
+#include "project_directories.h"
 #include "run_program.h"
 
 using namespace StickSlip;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "project_directories.h"
 #include "temporary_folder.h"
 
 namespace StickSlip::Tests

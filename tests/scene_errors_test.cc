@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/simulation/command_line.h>
-#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/scene/command_line.h>
+#include <stickslip/scene/scene_reader.h>
 
 #include "error_message.h"
 #include "scene_text.h"

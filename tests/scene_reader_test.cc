@@ -3,14 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/parameters/number_range.h>
-#include <stickslip/simulation/loading_rate.h>
-#include <stickslip/simulation/scene_declaration.h>
-#include <stickslip/simulation/scene_reader.h>
-#include <stickslip/simulation/scene_writer.h>
+#include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/scene_declaration.h>
+#include <stickslip/scene/scene_reader.h>
+#include <stickslip/scene/scene_writer.h>
 
 #include <cmath>
 #include <sstream>
 
+#include "project_directories.h"
 #include "scene_text.h"
 #include "temporary_folder.h"
 

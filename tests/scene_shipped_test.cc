@@ -2,13 +2,14 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "project_directories.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/algebra/magnitude.h>
+#include <stickslip/base/magnitude.h>
 
 #include "simulation_scenes.h"
 #include "stepping_scene.h"

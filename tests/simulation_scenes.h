@@ -5,14 +5,15 @@
 #define stickslip_tests_simulation_scenes_h
 
 #include <stickslip/output/event_catalogue.h>
+#include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_snapshots.h>
-#include <stickslip/simulation/loading_rate.h>
-#include <stickslip/simulation/scene_reader.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <algorithm>
 #include <cstdlib>
 
+#include "project_directories.h"
 #include "temporary_folder.h"
 
 namespace StickSlip::Tests

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/agreed_failure.h>
-#include <stickslip/time/initial_equilibrium.h>
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/problem/initial_equilibrium.h>
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/mechanics/elastic_assembly.h>
-#include <stickslip/time/initial_equilibrium.h>
+#include <stickslip/problem/initial_equilibrium.h>
 
 #include <numeric>
 

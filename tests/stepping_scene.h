@@ -4,9 +4,9 @@
 #ifndef stickslip_tests_stepping_scene_h
 #define stickslip_tests_stepping_scene_h
 
+#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
-#include <stickslip/simulation/scene_reader.h>
 #include <stickslip/time/step_size_control.h>
 
 #include <cstring>

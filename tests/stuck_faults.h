@@ -7,8 +7,8 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
-#include <stickslip/time/spatial_problem.h>
-#include <stickslip/tnnmg/linearised_operator.h>
+#include <stickslip/multigrid/linearised_operator.h>
+#include <stickslip/problem/spatial_problem.h>
 
 #include "stacked_bodies.h"
 

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/parameters/agreed_failure.h>
-#include <stickslip/time/rigid_body_modes.h>
-#include <stickslip/tnnmg/condensed_solver.h>
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/condensed/condensed_solver.h>
+#include <stickslip/problem/rigid_body_modes.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include "layered_slider.h"

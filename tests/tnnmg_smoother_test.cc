@@ -5,7 +5,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <gtest/gtest.h>
-#include <stickslip/tnnmg/block_gauss_seidel.h>
+#include <stickslip/multigrid/block_gauss_seidel.h>
 
 #include <limits>
 #include <random>

@@ -4,8 +4,8 @@
 #ifndef stickslip_contrib_coupled_limit_h
 #define stickslip_contrib_coupled_limit_h
 
+#include <stickslip/multigrid/linearised_operator.h>
 #include <stickslip/time/newmark.h>
-#include <stickslip/tnnmg/linearised_operator.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <map>

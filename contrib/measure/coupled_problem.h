@@ -5,8 +5,8 @@
 #define stickslip_contrib_coupled_problem_h
 
 #include <stickslip/mechanics/elastic_assembly.h>
-#include <stickslip/simulation/scene_parameters.h>
-#include <stickslip/time/spatial_problem.h>
+#include <stickslip/problem/spatial_problem.h>
+#include <stickslip/scene/scene_parameters.h>
 
 #include "measurement.h"
 

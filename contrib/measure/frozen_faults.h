@@ -4,7 +4,7 @@
 #ifndef stickslip_contrib_frozen_faults_h
 #define stickslip_contrib_frozen_faults_h
 
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 
 namespace Measure

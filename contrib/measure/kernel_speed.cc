@@ -26,7 +26,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <stickslip/mechanics/elastic_assembly.h>
-#include <stickslip/tnnmg/block_gauss_seidel.h>
+#include <stickslip/multigrid/block_gauss_seidel.h>
 
 #include <cmath>
 #include <type_traits>

@@ -24,8 +24,8 @@
  * of both discretisations in the same norm. --times-only leaves these out.
  */
 
-#include <stickslip/simulation/command_line.h>
-#include <stickslip/simulation/scene_reader.h>
+#include <stickslip/scene/command_line.h>
+#include <stickslip/scene/scene_reader.h>
 
 #include "coupled_limit.h"
 #include "welded_limit.h"

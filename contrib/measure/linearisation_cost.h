@@ -4,7 +4,7 @@
 #ifndef stickslip_contrib_linearisation_cost_h
 #define stickslip_contrib_linearisation_cost_h
 
-#include <stickslip/time/spatial_problem.h>
+#include <stickslip/problem/spatial_problem.h>
 
 #include "measurement.h"
 

@@ -22,10 +22,10 @@
  * exit if not.
  */
 
-#include <stickslip/simulation/command_line.h>
+#include <stickslip/scene/command_line.h>
+#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
-#include <stickslip/simulation/scene_reader.h>
 #include <stickslip/time/newmark.h>
 
 #include "coupled_problem.h"

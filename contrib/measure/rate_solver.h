@@ -4,9 +4,9 @@
 #ifndef stickslip_contrib_rate_solver_h
 #define stickslip_contrib_rate_solver_h
 
-#include <stickslip/simulation/scene_parameters.h>
-#include <stickslip/time/rigid_body_modes.h>
-#include <stickslip/tnnmg/condensed_solver.h>
+#include <stickslip/condensed/condensed_solver.h>
+#include <stickslip/problem/rigid_body_modes.h>
+#include <stickslip/scene/scene_parameters.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <memory>

@@ -12,7 +12,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <stickslip/simulation/scene_parameters.h>
+#include <stickslip/scene/scene_parameters.h>
 
 namespace Measure
 {

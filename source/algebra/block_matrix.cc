@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/algebra/block_matrix.h>
-#include <stickslip/algebra/make_set.h>
+#include <stickslip/base/make_set.h>
 
 #include <algorithm>
 

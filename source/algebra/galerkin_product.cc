@@ -5,7 +5,7 @@
 
 #include <stickslip/algebra/galerkin_product.h>
 #include <stickslip/algebra/index_set.h>
-#include <stickslip/algebra/make_set.h>
+#include <stickslip/base/make_set.h>
 
 #include <algorithm>
 #include <iterator>

@@ -3,8 +3,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/event_catalogue.h>
-#include <stickslip/parameters/input_error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/fault_history.h>
 #include <stickslip/output/hdf5_file.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/version.h>
 
 #include <fstream>

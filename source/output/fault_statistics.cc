@@ -3,7 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/algebra/magnitude.h>
+#include <stickslip/base/magnitude.h>
 #include <stickslip/output/fault_statistics.h>
 
 #include <algorithm>

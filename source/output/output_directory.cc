@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/output_directory.h>
-#include <stickslip/parameters/input_error.h>
 
 #include <filesystem>
 #include <fstream>

@@ -3,9 +3,9 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/time_series.h>
-#include <stickslip/parameters/input_error.h>
 
 #include <limits>
 

@@ -3,8 +3,8 @@
 
 #include <deal.II/base/function_parser.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/parameters/expression.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/parameters/number_range.h>
 
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <deal.II/base/function_lib.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/parameters/grid_table.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/parameters/number_range.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <stickslip/parameters/input_error.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/parameters/parameter_file.h>
 
 #include <algorithm>

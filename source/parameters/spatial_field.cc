@@ -3,8 +3,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/parameters/expression.h>
-#include <stickslip/parameters/input_error.h>
 #include <stickslip/parameters/spatial_field.h>
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/parameters/input_error.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/simulation/restraint.h>
 
 #include <algorithm>

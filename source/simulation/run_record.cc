@@ -3,11 +3,11 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/algebra/magnitude.h>
-#include <stickslip/simulation/agreement.h>
-#include <stickslip/simulation/loading_rate.h>
+#include <stickslip/base/agreement.h>
+#include <stickslip/base/magnitude.h>
+#include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/run_record.h>
-#include <stickslip/simulation/scene_writer.h>
 
 #include <algorithm>
 #include <iostream>

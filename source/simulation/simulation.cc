@@ -4,15 +4,15 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <stickslip/base/agreement.h>
 #include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/output/interrupt.h>
-#include <stickslip/simulation/agreement.h>
+#include <stickslip/scene/scene_checks.h>
 #include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/restraint.h>
-#include <stickslip/simulation/scene_checks.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/space_summary.h>
 #include <stickslip/version.h>

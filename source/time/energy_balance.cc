@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/algebra/magnitude.h>
+#include <stickslip/base/magnitude.h>
 #include <stickslip/time/energy_balance.h>
 
 #include <utility>

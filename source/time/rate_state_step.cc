@@ -3,12 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/algebra/magnitude.h>
-#include <stickslip/time/contact_pressure.h>
+#include <stickslip/base/magnitude.h>
+#include <stickslip/condensed/condensed_solver.h>
+#include <stickslip/faults/contact_pressure.h>
+#include <stickslip/problem/rigid_body_modes.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/rate_state_step.h>
-#include <stickslip/time/rigid_body_modes.h>
-#include <stickslip/time/shear_traction.h>
-#include <stickslip/tnnmg/condensed_solver.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <cmath>

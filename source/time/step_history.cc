@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/algebra/magnitude.h>
+#include <stickslip/base/magnitude.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/backward_differences.h>
-#include <stickslip/time/shear_traction.h>
 #include <stickslip/time/step_history.h>
 
 #include <algorithm>

@@ -3,12 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/mumps_factorisation.h>
+#include <stickslip/algebra/umfpack_factorisation.h>
 #include <stickslip/tnnmg/amg_correction.h>
 #include <stickslip/tnnmg/direct_correction.h>
 #include <stickslip/tnnmg/linear_correction.h>
 #include <stickslip/tnnmg/multigrid_correction.h>
-#include <stickslip/tnnmg/mumps_factorisation.h>
-#include <stickslip/tnnmg/umfpack_factorisation.h>
 
 namespace StickSlip
 {

@@ -4,9 +4,9 @@
 #ifndef stickslip_simulation_fault_snapshots_h
 #define stickslip_simulation_fault_snapshots_h
 
+#include <stickslip/faults/fault_nodes.h>
 #include <stickslip/output/fault_snapshot.h>
-#include <stickslip/time/fault_nodes.h>
-#include <stickslip/time/system_state.h>
+#include <stickslip/problem/system_state.h>
 
 namespace StickSlip
 {

@@ -4,10 +4,10 @@
 #ifndef stickslip_simulation_initial_state_h
 #define stickslip_simulation_initial_state_h
 
-#include <stickslip/simulation/scene_parameters.h>
-#include <stickslip/time/fault_nodes.h>
-#include <stickslip/time/initial_equilibrium.h>
-#include <stickslip/time/system_state.h>
+#include <stickslip/faults/fault_nodes.h>
+#include <stickslip/problem/initial_equilibrium.h>
+#include <stickslip/problem/system_state.h>
+#include <stickslip/scene/scene_parameters.h>
 
 namespace StickSlip
 {

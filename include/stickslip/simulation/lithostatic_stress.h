@@ -4,7 +4,7 @@
 #ifndef stickslip_simulation_lithostatic_stress_h
 #define stickslip_simulation_lithostatic_stress_h
 
-#include <stickslip/simulation/scene_parameters.h>
+#include <stickslip/scene/scene_parameters.h>
 
 #include <vector>
 

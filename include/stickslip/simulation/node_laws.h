@@ -4,9 +4,9 @@
 #ifndef stickslip_simulation_node_laws_h
 #define stickslip_simulation_node_laws_h
 
-#include <stickslip/simulation/scene_parameters.h>
-#include <stickslip/time/fault_nodes.h>
-#include <stickslip/time/prescribed_slip.h>
+#include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/prescribed_slip.h>
+#include <stickslip/scene/scene_parameters.h>
 
 namespace StickSlip
 {

@@ -4,8 +4,8 @@
 #ifndef stickslip_simulation_restraint_h
 #define stickslip_simulation_restraint_h
 
-#include <stickslip/simulation/scene_parameters.h>
-#include <stickslip/time/fault_nodes.h>
+#include <stickslip/faults/fault_nodes.h>
+#include <stickslip/scene/scene_parameters.h>
 
 namespace StickSlip
 {

@@ -14,8 +14,8 @@
 #include <stickslip/output/run_summary.h>
 #include <stickslip/output/time_series.h>
 #include <stickslip/output/volume_writer.h>
-#include <stickslip/simulation/scene_parameters.h>
-#include <stickslip/time/system_state.h>
+#include <stickslip/problem/system_state.h>
+#include <stickslip/scene/scene_parameters.h>
 
 namespace StickSlip
 {

@@ -6,8 +6,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_record.h>
-#include <stickslip/simulation/scene_parameters.h>
 #include <stickslip/time/energy_balance.h>
 #include <stickslip/time/step_size_control.h>
 

@@ -5,7 +5,7 @@
 #define stickslip_simulation_space_summary_h
 
 #include <stickslip/output/run_summary.h>
-#include <stickslip/time/spatial_problem.h>
+#include <stickslip/problem/spatial_problem.h>
 
 namespace StickSlip
 {

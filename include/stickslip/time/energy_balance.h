@@ -4,9 +4,9 @@
 #ifndef stickslip_time_energy_balance_h
 #define stickslip_time_energy_balance_h
 
-#include <stickslip/time/fault_nodes.h>
-#include <stickslip/time/spatial_problem.h>
-#include <stickslip/time/system_state.h>
+#include <stickslip/faults/fault_nodes.h>
+#include <stickslip/problem/spatial_problem.h>
+#include <stickslip/problem/system_state.h>
 
 namespace StickSlip
 {

@@ -4,8 +4,8 @@
 #ifndef stickslip_time_newmark_h
 #define stickslip_time_newmark_h
 
-#include <stickslip/time/spatial_problem.h>
-#include <stickslip/time/system_state.h>
+#include <stickslip/problem/spatial_problem.h>
+#include <stickslip/problem/system_state.h>
 
 namespace StickSlip
 {

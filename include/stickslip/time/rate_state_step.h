@@ -4,8 +4,8 @@
 #ifndef stickslip_time_rate_state_step_h
 #define stickslip_time_rate_state_step_h
 
+#include <stickslip/faults/following_stress.h>
 #include <stickslip/time/backward_differences.h>
-#include <stickslip/time/following_stress.h>
 #include <stickslip/time/generalised_alpha.h>
 #include <stickslip/time/newmark.h>
 #include <stickslip/time/time_parameters.h>

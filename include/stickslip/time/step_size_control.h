@@ -4,7 +4,7 @@
 #ifndef stickslip_time_step_size_control_h
 #define stickslip_time_step_size_control_h
 
-#include <stickslip/parameters/agreed_failure.h>
+#include <stickslip/base/agreed_failure.h>
 #include <stickslip/time/rate_state_step.h>
 
 #include <exception>

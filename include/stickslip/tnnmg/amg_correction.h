@@ -4,9 +4,9 @@
 #ifndef stickslip_tnnmg_amg_correction_h
 #define stickslip_tnnmg_amg_correction_h
 
+#include <stickslip/multigrid/linearised_cg.h>
+#include <stickslip/multigrid/smoothed_aggregation.h>
 #include <stickslip/tnnmg/linear_correction.h>
-#include <stickslip/tnnmg/linearised_cg.h>
-#include <stickslip/tnnmg/smoothed_aggregation.h>
 
 namespace StickSlip
 {

@@ -4,8 +4,8 @@
 #ifndef stickslip_tnnmg_direct_correction_h
 #define stickslip_tnnmg_direct_correction_h
 
+#include <stickslip/algebra/sparse_factorisation.h>
 #include <stickslip/tnnmg/linear_correction.h>
-#include <stickslip/tnnmg/sparse_factorisation.h>
 
 namespace StickSlip
 {

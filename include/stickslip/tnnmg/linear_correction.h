@@ -4,7 +4,7 @@
 #ifndef stickslip_tnnmg_linear_correction_h
 #define stickslip_tnnmg_linear_correction_h
 
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/tnnmg/solver_parameters.h>
 
 namespace StickSlip

@@ -4,8 +4,8 @@
 #ifndef stickslip_tnnmg_multigrid_correction_h
 #define stickslip_tnnmg_multigrid_correction_h
 
+#include <stickslip/multigrid/linearised_cg.h>
 #include <stickslip/tnnmg/linear_correction.h>
-#include <stickslip/tnnmg/linearised_cg.h>
 
 namespace StickSlip
 {

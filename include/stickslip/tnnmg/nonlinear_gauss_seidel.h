@@ -4,7 +4,7 @@
 #ifndef stickslip_tnnmg_nonlinear_gauss_seidel_h
 #define stickslip_tnnmg_nonlinear_gauss_seidel_h
 
-#include <stickslip/tnnmg/level_hierarchy.h>
+#include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 
 namespace StickSlip

@@ -6,7 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <stickslip/tnnmg/v_cycle.h>
+#include <stickslip/multigrid/v_cycle.h>
 
 namespace StickSlip
 {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_algebra_mumps_factorisation_h
+#define stickslip_algebra_mumps_factorisation_h
+
+#include <stickslip/algebra/sparse_factorisation.h>
+
+namespace StickSlip
+{
+  /**
+   * Cholesky factorisation by MUMPS, called directly, since the interface of
+   * Trilinos offers neither symmetric factors nor Schur complements.
+   */
+  template <int dim>
+  class MumpsFactorisation : public SparseFactorisation<dim>
+  {
+  public:
+    /**
+     * The @p retained entries of vectors (dim * node + component, in ascending
+     * order, none of them ever masked) are not eliminated. With I the others
+     * and F the retained ones, solve() gives x_I = A_II^-1 b_I and x_F = 0,
+     * and schur_complement() what A becomes on F.
+     */
+    explicit MumpsFactorisation(const std::vector<unsigned int> &retained = {});
+
+    ~MumpsFactorisation() override;
+
+    void
+    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+
+    void
+    solve(NodalVector &x, const NodalVector &b) override;
+
+    /** A_FF - A_FI A_II^-1 A_IF of the last matrix, symmetric, all entries. */
+    const std::vector<double> &
+    schur_complement() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_condensed_condensed_operator_h
+#define stickslip_condensed_condensed_operator_h
+
+#include <stickslip/algebra/mumps_factorisation.h>
+#include <stickslip/algebra/umfpack_factorisation.h>
+
+namespace dealii
+{
+  template <typename number>
+  class LAPACKFullMatrix;
+}
+
+namespace StickSlip
+{
+  /**
+   * The entries of the unknowns that a condensed problem keeps, node after node
+   * in ascending order.
+   */
+  template <int dim>
+  struct CondensedEntries
+  {
+    CondensedEntries() = default;
+
+    /** The components of @p nodes that are not fixed. */
+    CondensedEntries(const std::vector<unsigned int> &nodes,
+                     const NodeMask                  &fixed);
+
+    /** Positions dim * node + component in a vector of unknowns. */
+    std::vector<unsigned int> positions;
+
+    /** The number of the entry of component c of the k-th node, or
+     * numbers::invalid_unsigned_int. */
+    std::vector<std::array<unsigned int, dim>> of_node;
+
+    unsigned int
+    size() const;
+  };
+
+  /**
+   * An operator A condensed to a set F of entries: the Schur complement
+   *
+   *   S = A_FF - A_FI A_II^-1 A_IF
+   *
+   * with the other entries I that are not fixed, as a dense matrix, together
+   * with the factors of A_II. On one process.
+   */
+  template <int dim>
+  class CondensedOperator
+  {
+  public:
+    /** @p entries must live longer than this object. */
+    explicit CondensedOperator(const CondensedEntries<dim> &entries);
+
+    ~CondensedOperator();
+
+    /** Throws SingularMatrix. */
+    void
+    set_matrix(const BlockMatrix<dim> &A, const NodeMask &fixed);
+
+    /** Row @p i of S, and column, since S is symmetric. */
+    const double *
+    row(const unsigned int i) const;
+
+    /** y = S x. */
+    void
+    vmult(std::vector<double> &y, const std::vector<double> &x) const;
+
+    /** x_I = A_II^-1 b_I, where @p b is zero in the components that are fixed
+     * or belong to F, and so is x. */
+    void
+    solve_eliminated(NodalVector &x, const NodalVector &b);
+
+    /**
+     * Solve (S + H) x = r on the entries with @p active true, to a residual of
+     * 1e-4 in the energy norm at least; x is zero elsewhere, and r is not
+     * read. H has a block for each node. A Cholesky factorisation of an earlier
+     * matrix preconditions as long as a few steps of CG with it do, else it is
+     * made anew. Throws SingularMatrix.
+     */
+    void
+    solve_linearised(std::vector<double>               &x,
+                     const std::vector<double>         &r,
+                     const std::vector<Tensor<2, dim>> &H,
+                     const std::vector<bool>           &active);
+
+  private:
+    /** At most max_steps(); returns whether they were enough. */
+    bool
+    solve_by_cg(std::vector<double>               &x,
+                const std::vector<double>         &r,
+                const std::vector<Tensor<2, dim>> &H,
+                const std::vector<bool>           &active);
+
+    void
+    factorise(const std::vector<Tensor<2, dim>> &H,
+              const std::vector<bool>           &active);
+
+    /** x = the factors applied to b, on active entries. */
+    void
+    apply_factors(std::vector<double>       &x,
+                  const std::vector<double> &b,
+                  const std::vector<bool>   &active) const;
+
+    const CondensedEntries<dim> &entries;
+    MumpsFactorisation<dim>      bulk;
+    /** Of A_II once more where that is small: UMFPACK solves faster then. */
+    std::unique_ptr<UmfpackFactorisation<dim>> small_bulk;
+    std::unique_ptr<LAPACKFullMatrix<double>>  factors;
+  };
+} // namespace StickSlip
+
+#endif

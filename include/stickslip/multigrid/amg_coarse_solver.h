@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_multigrid_amg_coarse_solver_h
+#define stickslip_multigrid_amg_coarse_solver_h
+
+#include <stickslip/multigrid/coarse_solver.h>
+#include <stickslip/multigrid/smoothed_aggregation.h>
+
+namespace StickSlip
+{
+  /**
+   * Some cycles of smoothed aggregation with ML of Trilinos, with the
+   * translations as near null space: for coarsest levels too large to
+   * factorise, as those of meshes that come with little or no hierarchy.
+   */
+  template <int dim>
+  class AMGCoarseSolver : public CoarseSolver<dim>
+  {
+  public:
+    AMGCoarseSolver();
+
+    void
+    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+
+    void
+    solve(NodalVector &x, const NodalVector &b) override;
+
+  private:
+    SmoothedAggregation<dim> cycles;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_multigrid_block_gauss_seidel_h
+#define stickslip_multigrid_block_gauss_seidel_h
+
+#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/node_mask.h>
+#include <stickslip/algebra/sweep_kernels.h>
+
+namespace StickSlip
+{
+  /**
+   * Block Gauss-Seidel as the smoother of a multigrid cycle: the owned rows of
+   * a block matrix, stored as sweep_kernels.h wants them, with the inverses of
+   * the diagonal blocks of the components that take part. Components that do
+   * not are zero in every result, and must be zero in every start.
+   *
+   * On several processes each acts on its own nodes, with the values of the
+   * others as they were before the sweep.
+   */
+  template <int dim, typename Number>
+  class BlockGaussSeidel
+  {
+  public:
+    BlockGaussSeidel() = default;
+
+    explicit BlockGaussSeidel(const BlockSparsity &sparsity);
+
+    /** Take over the blocks of a row off the diagonal. */
+    template <typename OtherNumber>
+    void
+    set_row(const unsigned int i, const BlockMatrix<dim, OtherNumber> &matrix);
+
+    /** Set the diagonal block of a row, of which only the @p active components
+     * are used. */
+    void
+    set_diagonal(const unsigned int    i,
+                 const Tensor<2, dim> &block,
+                 const NodeMask       &active);
+
+    /** The same by the inverse of its active part. */
+    void
+    set_inverse_diagonal(const unsigned int i, const Tensor<2, dim> &inverse);
+
+    /** x after a forward sweep from zero, and the residual r = b - A x, not
+     * masked. The first of these is without communication, the second fetches
+     * the ghosts of x. */
+    void
+    sweep_from_zero(NodeValues<Number> &x, const NodeValues<Number> &b) const;
+
+    void
+    residual_after_first_sweep(NodeValues<Number>       &r,
+                               const NodeValues<Number> &x) const;
+
+    /** A forward sweep from any x, after which @p change is the change of x,
+     * with its ghosts. */
+    void
+    sweep_forward(NodeValues<Number>       &x,
+                  NodeValues<Number>       &change,
+                  const NodeValues<Number> &b) const;
+
+    /** r = b - A x after sweep_forward() with this @p change. */
+    void
+    residual_after_sweep(NodeValues<Number>       &r,
+                         const NodeValues<Number> &change) const;
+
+    /** A backward sweep; fetches the ghosts of x. */
+    void
+    sweep_backward(NodeValues<Number> &x, const NodeValues<Number> &b) const;
+
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    struct Part
+    {
+      std::vector<unsigned int> row_start = {0};
+      std::vector<unsigned int> column;
+      AlignedVector<Number>     values;
+
+      Kernels::Triangle<Number>
+      rows() const;
+
+      std::size_t
+      memory_consumption() const;
+    };
+
+    unsigned int          n_rows = 0;
+    Part                  lower, upper;
+    AlignedVector<Number> inverse_diagonal;
+  };
+
+
+
+  /**
+   * The inverse of the part of a node's diagonal @p block that belongs to
+   * active components, zero elsewhere.
+   */
+  template <int dim>
+  Tensor<2, dim>
+  invert_active(const Tensor<2, dim> &block,
+                const NodeMask       &active,
+                const unsigned int    node);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_multigrid_coarse_solver_h
+#define stickslip_multigrid_coarse_solver_h
+
+#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/node_mask.h>
+#include <stickslip/algebra/singular_matrix.h>
+
+#include <memory>
+
+namespace StickSlip
+{
+  /**
+   * Thrown where the matrix of the coarsest level cannot be factorised.
+   */
+  class SingularCoarseMatrix : public SingularMatrix
+  {
+  public:
+    SingularCoarseMatrix()
+      : SingularMatrix("the matrix of the coarsest level")
+    {}
+  };
+
+  /**
+   * How the coarsest level is solved.
+   */
+  enum class CoarseSolverType
+  {
+    /** By factorisation. */
+    direct,
+    /** By cycles of an algebraic multigrid method. */
+    amg
+  };
+
+  /**
+   * Solution on the coarsest level, a symmetric linear map of the right hand
+   * side. Masked components are zero. The nodes all belong to the process that
+   * has an object of this class.
+   */
+  template <int dim>
+  class CoarseSolver
+  {
+  public:
+    virtual ~CoarseSolver() = default;
+
+    /** Prepare for a matrix. Throws SingularCoarseMatrix. */
+    virtual void
+    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) = 0;
+
+    /** x = A^-1 b, or an approximation. */
+    virtual void
+    solve(NodalVector &x, const NodalVector &b) = 0;
+  };
+
+  template <int dim>
+  std::unique_ptr<CoarseSolver<dim>>
+  make_coarse_solver(const CoarseSolverType type);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_multigrid_cycle_operators_h
+#define stickslip_multigrid_cycle_operators_h
+
+#include <stickslip/multigrid/block_gauss_seidel.h>
+#include <stickslip/multigrid/level_description.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The operators of a V-cycle: those of the coarse levels as Galerkin
+   * products, formed anew where truncation and friction change them, and all
+   * in the form of the smoother, the finest one as a copy. See VCycle, whose
+   * functions of the same names these serve.
+   */
+  template <int dim, typename Number>
+  class CycleOperators
+  {
+  public:
+    /** @p descriptions, the coarsest level first, must outlive the object. */
+    explicit CycleOperators(
+      const std::vector<LevelDescription<dim>> &descriptions);
+
+    /** Form the terms of the coarse levels. Collective, like all functions
+     * that compute. */
+    void
+    set_terms(const std::vector<BlockMatrix<dim>> &finest);
+
+    /** Combine the terms on the coarse levels. */
+    void
+    combine_coarse_levels(const std::vector<double> &coefficients);
+
+    void
+    set_finest_row(const BlockMatrix<dim> &A,
+                   const unsigned int      i,
+                   const Tensor<2, dim>   &inverse_diagonal);
+
+    void
+    set_finest_diagonal(const unsigned int    i,
+                        const Tensor<2, dim> &block,
+                        const NodeMask       &active);
+
+    /** Form what depends on the @p changed rows of S A S. */
+    void
+    set_coarse_levels(const BlockMatrix<dim>          &A,
+                      const NodeMask                  &active,
+                      const std::vector<unsigned int> &changed);
+
+    /** Of every level but the coarsest. */
+    const BlockGaussSeidel<dim, Number> &
+    smoother(const unsigned int l) const;
+
+    /** The operator on a coarse level. */
+    const BlockMatrix<dim, Number> &
+    coarse_matrix(const unsigned int l) const;
+
+    /** The components that take part on a coarse level. */
+    const NodeMask &
+    active(const unsigned int l) const;
+
+    /** Bytes on this process. */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    struct Level
+    {
+      BlockGaussSeidel<dim, Number> smoother;
+
+      /** The rest is of coarse levels only. */
+      std::vector<BlockMatrix<dim, Number>> terms;
+      BlockMatrix<dim, Number>              matrix;
+      /** On several processes: the owned rows that a change of the
+       * nonsmooth term or of the truncation can touch. */
+      std::vector<unsigned int> strip;
+      NodeMask                  active;
+    };
+
+    template <typename FineNumber>
+    void
+    compute_coarser_terms(
+      const unsigned int                               l,
+      const std::vector<BlockMatrix<dim, FineNumber>> &fine_terms);
+
+    /** @p sparsity is that of the finest level. */
+    void
+    find_strips(const BlockSparsity &sparsity);
+
+    /** The operator on the level below @p l from that on it, where that has
+     * changed; replaces the @p changed rows by those of the coarser
+     * level. */
+    template <typename FineNumber>
+    void
+    set_coarser_level(const unsigned int                  l,
+                      const BlockMatrix<dim, FineNumber> &matrix,
+                      const NodeMask                     &active,
+                      std::vector<unsigned int>          &changed);
+
+    /** Form rows of the operator on the level below @p l, at least those
+     * that depend on the @p changed ones; returns which. */
+    template <typename FineNumber>
+    std::vector<unsigned int>
+    form_coarse_rows(const unsigned int                  l,
+                     const BlockMatrix<dim, FineNumber> &matrix,
+                     const NodeMask                     &active,
+                     const std::vector<unsigned int>    &changed);
+
+    const std::vector<LevelDescription<dim>> &descriptions;
+    /** Whether there are several processes. */
+    const bool         is_shared;
+    std::vector<Level> levels;
+  };
+} // namespace StickSlip
+
+#endif

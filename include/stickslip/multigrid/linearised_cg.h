@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_multigrid_linearised_cg_h
+#define stickslip_multigrid_linearised_cg_h
+
+#include <stickslip/multigrid/level_hierarchy.h>
+
+#include <functional>
+
+namespace StickSlip
+{
+  /**
+   * Preconditioned conjugate gradients from zero for S (A + H) S x = S r, see
+   * LinearCorrection, that give the product A x along with x: A is applied to
+   * the directions anyway.
+   */
+  template <int dim>
+  class LinearisedCG
+  {
+  public:
+    /** x = an approximation of (S (A + H) S)^-1 b, symmetric, x = S x. */
+    using Preconditioner =
+      std::function<void(NodalVector &x, const NodalVector &b)>;
+
+    explicit LinearisedCG(const LevelHierarchy<dim> &hierarchy);
+
+    /** See LinearCorrection. */
+    void
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active);
+
+    /**
+     * At most @p max_steps steps, and no more once the residual in the norm of
+     * the preconditioner is @p reduction times the initial one. See
+     * LinearCorrection for the vectors. Returns the applications of the
+     * preconditioner. Collective.
+     */
+    unsigned int
+    solve(const Preconditioner &precondition,
+          const unsigned int    max_steps,
+          const double          reduction,
+          NodalVector          &x,
+          NodalVector          &A_x,
+          NodalVector          &r);
+
+  private:
+    const LevelHierarchy<dim>  &hierarchy;
+    std::vector<Tensor<2, dim>> hessians;
+    NodeMask                    active;
+    NodalVector                 direction, A_direction, preconditioned;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_multigrid_v_cycle_h
+#define stickslip_multigrid_v_cycle_h
+
+#include <stickslip/multigrid/coarse_solver.h>
+#include <stickslip/multigrid/level_description.h>
+
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * How many digits the matrices and vectors of a cycle have.
+   */
+  enum class CyclePrecision
+  {
+    /** Half the memory traffic; as a preconditioner it needs no more. */
+    single_precision,
+    double_precision
+  };
+
+  /**
+   * The symmetric V-cycle of a LevelHierarchy, with the operators of the levels
+   * that it needs: those of the coarse levels, and a copy of the finest one in
+   * the form and precision of the smoother. It only ever preconditions.
+   */
+  template <int dim>
+  class VCycle
+  {
+  public:
+    virtual ~VCycle() = default;
+
+    /** Form the Galerkin products of the terms of the operator; where the
+     * levels have changed since the last time and their products are updates,
+     * their updated rows only. Collective, like all functions that compute. */
+    virtual void
+    set_terms(const std::vector<BlockMatrix<dim>> &finest) = 0;
+
+    /** Combine the terms on the coarse levels. */
+    virtual void
+    combine_coarse_levels(const std::vector<double> &coefficients) = 0;
+
+    /** Take over a row of the operator A on the finest level, with the inverse
+     * of its diagonal block, zero in fixed components. */
+    virtual void
+    set_finest_row(const BlockMatrix<dim> &A,
+                   const unsigned int      i,
+                   const Tensor<2, dim>   &inverse_diagonal) = 0;
+
+    /** Set a diagonal block on the finest level, and which of its components
+     * take part. */
+    virtual void
+    set_finest_diagonal(const unsigned int    i,
+                        const Tensor<2, dim> &block,
+                        const NodeMask       &active) = 0;
+
+    /** Form the operators near the nonsmooth nodes on all coarse levels from
+     * that on the finest one, S A S, where S keeps the components that take
+     * part. Only what depends on the @p changed rows of S A S is formed anew;
+     * after combine_coarse_levels() those that the nonsmooth term and the
+     * truncation change. Throws SingularCoarseMatrix. */
+    virtual void
+    set_coarse_levels(const BlockMatrix<dim>          &A,
+                      const NodeMask                  &active,
+                      const std::vector<unsigned int> &changed) = 0;
+
+    /** x = approximate solution, where only @p active components take part. */
+    virtual void
+    vmult(NodalVector &x, const NodalVector &b, const NodeMask &active) = 0;
+
+    /** The operator on a coarse level. */
+    virtual BlockMatrix<dim>
+    coarse_matrix(const unsigned int l) const = 0;
+
+    /** Number of sweeps before and after the coarse grid correction. */
+    virtual void
+    set_smoothing_sweeps(const unsigned int sweeps) = 0;
+
+    /** The operators have to be set again after this. */
+    virtual void
+    set_coarse_solver(const CoarseSolverType type) = 0;
+
+    /** Bytes on this process. */
+    virtual std::size_t
+    memory_consumption() const = 0;
+  };
+
+  /** The coarsest level first; @p levels must outlive the cycle. */
+  template <int dim>
+  std::unique_ptr<VCycle<dim>>
+  make_v_cycle(const CyclePrecision                      precision,
+               const std::vector<LevelDescription<dim>> &levels);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_problem_initial_equilibrium_h
+#define stickslip_problem_initial_equilibrium_h
+
+#include <stickslip/problem/spatial_problem.h>
+
+namespace StickSlip
+{
+  /**
+   * The static equilibrium under gravity with all faults stuck, from which a
+   * run starts.
+   */
+  template <int dim>
+  struct InitialEquilibrium
+  {
+    /** Nodal displacement, m. */
+    NodalVector displacement;
+
+    /** At each slave node, Pa, see contact_pressures(). */
+    std::vector<double> contact_pressure;
+
+    /** Shear traction at each slave node that keeps the fault stuck, slave
+     * relative to master, Pa; zero off contact. */
+    std::vector<Tensor<1, dim - 1>> shear_traction;
+
+    unsigned int iterations = 0;
+  };
+
+  /**
+   * Solve for it by CG with a V-cycle. Prescribed velocities count as zero
+   * displacements. Throws if the iteration does not converge.
+   */
+  template <int dim>
+  InitialEquilibrium<dim>
+  solve_initial_equilibrium(SpatialProblem<dim> &problem);
+} // namespace StickSlip
+
+#endif

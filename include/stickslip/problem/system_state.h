@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_problem_system_state_h
+#define stickslip_problem_system_state_h
+
+#include <deal.II/base/tensor.h>
+
+#include <stickslip/algebra/node_partition.h>
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The state of the whole system at one time. Nodal vectors hold values in
+   * the basis of the meshes, whatever the contact mapping; arrays over the
+   * slave nodes are ordered as in FaultNodes, jumps are slave relative to
+   * master.
+   */
+  template <int dim>
+  struct SystemState
+  {
+    /** s */
+    double time = 0;
+
+    /** m, m/s, m/s^2; the last one empty without inertia. */
+    NodalVector displacement, velocity, acceleration;
+
+    /** That of the generalised-alpha method, m/s^2; empty with any other, and
+     * at the start. */
+    NodalVector auxiliary_acceleration;
+
+    /** Without inertia: size of the step that has led here, s, and over it the
+     * mean of the velocity, m/s. Zero and empty at the start. */
+    double      last_step = 0;
+    NodalVector mean_velocity;
+
+    /** ln(theta / 1 s) */
+    std::vector<double> alpha;
+
+    /** Accumulated slip, m, and slip rate, m/s. */
+    std::vector<Tensor<1, dim - 1>> slip, slip_rate;
+
+    /** Of the slip rate over the last step, like mean_velocity. */
+    std::vector<Tensor<1, dim - 1>> mean_slip_rate;
+
+    /** Shear traction that resists the slip at nodes where friction does not
+     * tell it (shear_traction.h), Pa; empty if there are none. */
+    std::vector<Tensor<1, dim - 1>> balancing_traction;
+
+    /** At each slave node, Pa, see contact_pressures(); empty where nobody
+     * needs it. */
+    std::vector<double> contact_pressure;
+  };
+
+  /**
+   * The work that a step took.
+   */
+  struct StepCounts
+  {
+    unsigned int rate_state_iterations = 0;
+    unsigned int tnnmg_iterations      = 0;
+    unsigned int multigrid_cycles      = 0;
+
+    StepCounts &
+    operator+=(const StepCounts &other)
+    {
+      rate_state_iterations += other.rate_state_iterations;
+      tnnmg_iterations += other.tnnmg_iterations;
+      multigrid_cycles += other.multigrid_cycles;
+      return *this;
+    }
+  };
+
+  /**
+   * A step of the time stepping that was tried.
+   */
+  template <int dim>
+  struct StepResult
+  {
+    /** Whether state may be used. */
+    bool converged = false;
+
+    /** Why not, otherwise. */
+    std::string failure;
+
+    double           step_size = 0;
+    SystemState<dim> state;
+    StepCounts       counts;
+  };
+} // namespace StickSlip
+
+#endif

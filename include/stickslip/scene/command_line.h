@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_scene_command_line_h
+#define stickslip_scene_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * What the user asks of the program.
+   */
+  struct CommandLine
+  {
+    enum class Task
+    {
+      run,
+      print_help,
+      print_version,
+      print_parameter_reference
+    };
+
+    Task        task = Task::run;
+    std::string parameter_file;
+
+    /** The arguments of --set. */
+    std::vector<std::string> overrides;
+  };
+
+  /**
+   * Read the arguments, the program's name not among them. Throws InputError.
+   */
+  CommandLine
+  parse_command_line(const std::vector<std::string> &arguments);
+
+  /**
+   * How the program is called.
+   */
+  std::string
+  command_line_help();
+} // namespace StickSlip
+
+#endif

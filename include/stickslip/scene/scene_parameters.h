@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_scene_scene_parameters_h
+#define stickslip_scene_scene_parameters_h
+
+#include <deal.II/base/tensor.h>
+
+#include <stickslip/friction/fault_parameters.h>
+#include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/mechanics/material_fields.h>
+#include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mortar/contact_parameters.h>
+#include <stickslip/output/output_parameters.h>
+#include <stickslip/time/time_parameters.h>
+#include <stickslip/tnnmg/solver_parameters.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  using namespace dealii;
+
+  /**
+   * One body of the scene.
+   */
+  template <int dim>
+  struct BodyParameters
+  {
+    std::string       name;
+    BodyGeometry<dim> geometry;
+    MaterialFields    material;
+  };
+
+  /**
+   * A whole scene as read from a parameter file.
+   */
+  template <int dim>
+  struct SceneParameters
+  {
+    /** From bottom to top. */
+    std::vector<BodyParameters<dim>> bodies;
+
+    /** From bottom to top; fault i lies between bodies i and i+1. */
+    std::vector<FaultParameters> faults;
+
+    std::vector<BoundaryCondition<dim>> boundary_conditions;
+
+    /** Along which horizontal axes all bodies are periodic. */
+    std::array<bool, dim - 1> periodic;
+
+    /** Gravitational acceleration, m/s^2. */
+    double gravity = 9.81;
+
+    /** By how many degrees the faults dip towards positive x. */
+    double dip = 0.;
+
+    ContactParameters contact;
+    TNNMGParameters   tnnmg;
+    TimeParameters    time;
+    OutputParameters  output;
+
+    SceneParameters()
+    {
+      periodic.fill(false);
+    }
+
+    /** The acceleration of gravity along the axes of the scene, m/s^2: the
+     * last one is normal to the faults. */
+    Tensor<1, dim>
+    gravity_vector() const;
+  };
+} // namespace StickSlip
+
+#endif

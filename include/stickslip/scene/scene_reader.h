@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_scene_scene_reader_h
+#define stickslip_scene_scene_reader_h
+
+#include <stickslip/parameters/parameter_file.h>
+#include <stickslip/scene/scene_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * Reads a scene from a parameter file and overrides of the form
+   * `Section/Subsection/Entry=value`, which act after the file.
+   *
+   * The names of bodies, faults and sides are read first, since they decide
+   * which entries there are; everything is then declared and set. All
+   * functions throw InputError with one sentence on the first mistake, and
+   * nothing is written anywhere.
+   */
+  class SceneReader
+  {
+  public:
+    SceneReader(const std::string              &file_name,
+                const std::vector<std::string> &overrides = {});
+
+    /**
+     * Dimension of the scene, 2 or 3.
+     */
+    unsigned int
+    dimension() const;
+
+    /**
+     * The checked scene. @p dim must equal dimension(). An empty output
+     * directory has become output/<name of the parameter file>.
+     */
+    template <int dim>
+    SceneParameters<dim>
+    read() const;
+
+  private:
+    /** The last assignment to an entry; nullptr if there is none. */
+    const Assignment *
+    find(const std::string &path) const;
+
+    std::vector<std::string>
+    names(const std::string &path, const unsigned int words_per_name) const;
+
+    template <int dim>
+    SceneParameters<dim>
+    named_scene() const;
+
+    template <int dim>
+    BoundaryCondition<dim>
+    named_side(const std::string                      &name,
+               const std::vector<BodyParameters<dim>> &bodies) const;
+
+    std::string             file_name;
+    std::vector<Assignment> assignments;
+  };
+} // namespace StickSlip
+
+#endif

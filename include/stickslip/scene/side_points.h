@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_scene_side_points_h
+#define stickslip_scene_side_points_h
+
+#include <stickslip/scene/scene_parameters.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The corners and the centre of the side a condition holds on, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  side_points(const SceneParameters<dim>   &scene,
+              const BoundaryCondition<dim> &condition);
+
+  /**
+   * The corners and the centre of a body, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  body_points(const BodyGeometry<dim> &body);
+
+  /**
+   * The corners and the centre of the common part of two bodies' fault, and a
+   * grid of 21 points along each axis, m.
+   */
+  template <int dim>
+  std::vector<Point<dim>>
+  fault_points(const BodyGeometry<dim> &below, const BodyGeometry<dim> &above);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <stickslip/condensed/condensed_operator.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace StickSlip
+{
+  template <int dim>
+  CondensedEntries<dim>::CondensedEntries(
+    const std::vector<unsigned int> &nodes,
+    const NodeMask                  &fixed)
+  {
+    for (const unsigned int node : nodes)
+      {
+        of_node.emplace_back();
+        of_node.back().fill(numbers::invalid_unsigned_int);
+        for (unsigned int c = 0; c < dim; ++c)
+          if (fixed.is_active(node, c))
+            {
+              of_node.back()[c] = positions.size();
+              positions.push_back(node * dim + c);
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  CondensedEntries<dim>::size() const
+  {
+    return positions.size();
+  }
+
+
+
+  namespace
+  {
+    /** Calls action(i, j, value) for each entry of the block diagonal H. */
+    template <int dim, typename Action>
+    void
+    for_each_entry(const CondensedEntries<dim>       &entries,
+                   const std::vector<Tensor<2, dim>> &H,
+                   const Action                      &action)
+    {
+      for (unsigned int k = 0; k < H.size(); ++k)
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const unsigned int i = entries.of_node[k][c],
+                                 j = entries.of_node[k][d];
+              if (i != numbers::invalid_unsigned_int &&
+                  j != numbers::invalid_unsigned_int)
+                action(i, j, H[k][c][d]);
+            }
+    }
+
+
+
+    double
+    dot(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  CondensedOperator<dim>::CondensedOperator(
+    const CondensedEntries<dim> &entries)
+    : entries(entries)
+    , bulk(entries.positions)
+  {}
+
+
+
+  template <int dim>
+  CondensedOperator<dim>::~CondensedOperator() = default;
+
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::set_matrix(const BlockMatrix<dim> &A,
+                                     const NodeMask         &fixed)
+  {
+    /** Up to this number of unknowns UMFPACK solves faster than MUMPS. */
+    constexpr unsigned int small_size = 20000;
+
+    factors.reset();
+    bulk.set_matrix(A, fixed);
+    if (A.n_rows() * dim > small_size)
+      return;
+    NodeMask eliminated = fixed;
+    for (const unsigned int position : entries.positions)
+      eliminated.mask(position / dim, position % dim);
+    if (!small_bulk)
+      small_bulk = std::make_unique<UmfpackFactorisation<dim>>();
+    small_bulk->set_matrix(A, eliminated);
+  }
+
+
+
+  template <int dim>
+  const double *
+  CondensedOperator<dim>::row(const unsigned int i) const
+  {
+    return bulk.schur_complement().data() + std::size_t(i) * entries.size();
+  }
+
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::vmult(std::vector<double>       &y,
+                                const std::vector<double> &x) const
+  {
+    const unsigned int n = entries.size();
+    y.assign(n, 0.);
+    for (unsigned int j = 0; j < n; ++j)
+      if (x[j] != 0.)
+        {
+          const double *column = row(j);
+          for (unsigned int i = 0; i < n; ++i)
+            y[i] += x[j] * column[i];
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::solve_eliminated(NodalVector &x, const NodalVector &b)
+  {
+    if (small_bulk)
+      small_bulk->solve(x, b);
+    else
+      bulk.solve(x, b);
+  }
+
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::solve_linearised(std::vector<double>               &x,
+                                           const std::vector<double>         &r,
+                                           const std::vector<Tensor<2, dim>> &H,
+                                           const std::vector<bool> &active)
+  {
+    if (factors && solve_by_cg(x, r, H, active))
+      return;
+    factorise(H, active);
+    apply_factors(x, r, active);
+  }
+
+
+
+  template <int dim>
+  bool
+  CondensedOperator<dim>::solve_by_cg(std::vector<double>               &x,
+                                      const std::vector<double>         &r,
+                                      const std::vector<Tensor<2, dim>> &H,
+                                      const std::vector<bool>           &active)
+  {
+    constexpr double reduction = 1e-4;
+    // Where they take about as long as a factorisation.
+    const unsigned int n         = entries.size();
+    const unsigned int max_steps = std::max(4u, n / 50);
+
+    std::vector<double> residual(n), z(n), direction(n), product(n);
+    for (unsigned int i = 0; i < n; ++i)
+      residual[i] = active[i] ? r[i] : 0.;
+    x.assign(n, 0.);
+    double rz_old = 0., rz_small = 0.;
+    for (unsigned int step = 0;; ++step)
+      {
+        apply_factors(z, residual, active);
+        const double rz = dot(residual, z);
+        if (step == 0)
+          rz_small = reduction * reduction * rz;
+        if (rz <= rz_small)
+          return true;
+        // A NaN ends here, too.
+        if (step == max_steps || !(rz > 0.))
+          return false;
+        for (unsigned int i = 0; i < n; ++i)
+          direction[i] = z[i] + (step == 0 ? 0. : rz / rz_old * direction[i]);
+        vmult(product, direction);
+        for_each_entry(entries,
+                       H,
+                       [&](const unsigned int i,
+                           const unsigned int j,
+                           const double       value) {
+                         product[i] += value * direction[j];
+                       });
+        const double curvature = dot(direction, product);
+        if (!(curvature > 0.))
+          return false;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            x[i] += rz / curvature * direction[i];
+            if (active[i])
+              residual[i] -= rz / curvature * product[i];
+          }
+        rz_old = rz;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::factorise(const std::vector<Tensor<2, dim>> &H,
+                                    const std::vector<bool>           &active)
+  {
+    const unsigned int n = entries.size();
+    if (!factors)
+      factors = std::make_unique<LAPACKFullMatrix<double>>(n);
+    LAPACKFullMatrix<double> &matrix = *factors;
+    matrix.reinit(n);
+    for (unsigned int j = 0; j < n; ++j)
+      if (active[j])
+        {
+          const double *column = row(j);
+          for (unsigned int i = j; i < n; ++i)
+            matrix(i, j) = active[i] ? column[i] : 0.;
+        }
+      else
+        // Of the right size for the time when it is active again.
+        matrix(j, j) = row(j)[j];
+    for_each_entry(entries,
+                   H,
+                   [&](const unsigned int i,
+                       const unsigned int j,
+                       const double       value) {
+                     if (i >= j && active[i] && active[j])
+                       matrix(i, j) += value;
+                   });
+    matrix.set_property(LAPACKSupport::symmetric);
+    try
+      {
+        matrix.compute_cholesky_factorization();
+      }
+    catch (const ExceptionBase &)
+      {
+        factors.reset();
+        throw SingularMatrix("the condensed matrix");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CondensedOperator<dim>::apply_factors(std::vector<double>       &x,
+                                        const std::vector<double> &b,
+                                        const std::vector<bool>   &active) const
+  {
+    const unsigned int n = entries.size();
+    Vector<double>     values(n);
+    for (unsigned int i = 0; i < n; ++i)
+      values(i) = active[i] ? b[i] : 0.;
+    factors->solve(values);
+    x.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] = active[i] ? values(i) : 0.;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)       \
+  template struct CondensedEntries<dim>; \
+  template class CondensedOperator<dim>;
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

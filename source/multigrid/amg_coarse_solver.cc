@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/multigrid/amg_coarse_solver.h>
+
+namespace StickSlip
+{
+  template <int dim>
+  AMGCoarseSolver<dim>::AMGCoarseSolver()
+    : cycles(/*n_cycles=*/2)
+  {}
+
+
+
+  template <int dim>
+  void
+  AMGCoarseSolver<dim>::set_matrix(const BlockMatrix<dim> &matrix,
+                                   const NodeMask         &mask)
+  {
+    if (!cycles.set_matrix(matrix, mask))
+      throw SingularCoarseMatrix();
+  }
+
+
+
+  template <int dim>
+  void
+  AMGCoarseSolver<dim>::solve(NodalVector &x, const NodalVector &b)
+  {
+    cycles.vmult(x, b);
+  }
+
+
+
+  template class AMGCoarseSolver<2>;
+  template class AMGCoarseSolver<3>;
+} // namespace StickSlip

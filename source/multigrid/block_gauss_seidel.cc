@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/multigrid/block_gauss_seidel.h>
+
+namespace StickSlip
+{
+  template <int dim, typename Number>
+  BlockGaussSeidel<dim, Number>::BlockGaussSeidel(const BlockSparsity &sparsity)
+    : n_rows(sparsity.n_rows())
+  {
+    lower.row_start.reserve(n_rows + 1);
+    upper.row_start.reserve(n_rows + 1);
+    for (unsigned int i = 0; i < n_rows; ++i)
+      {
+        const auto columns = sparsity.column.begin();
+        // Ghosts lie behind all owned nodes, so they belong to the upper part.
+        lower.column.insert(lower.column.end(),
+                            columns + sparsity.row_start[i],
+                            columns + sparsity.diagonal[i]);
+        upper.column.insert(upper.column.end(),
+                            columns + sparsity.diagonal[i] + 1,
+                            columns + sparsity.row_start[i + 1]);
+        lower.row_start.push_back(lower.column.size());
+        upper.row_start.push_back(upper.column.size());
+      }
+    for (Part *part : {&lower, &upper})
+      part->values.resize(std::size_t(part->column.size()) * dim * dim +
+                          Kernels::sweep_padding);
+    inverse_diagonal.resize(std::size_t(n_rows) * dim * dim +
+                            Kernels::sweep_padding);
+  }
+
+
+
+  template <int dim, typename Number>
+  Kernels::Triangle<Number>
+  BlockGaussSeidel<dim, Number>::Part::rows() const
+  {
+    return {row_start.data(), column.data(), values.data()};
+  }
+
+
+
+  template <int dim, typename Number>
+  template <typename OtherNumber>
+  void
+  BlockGaussSeidel<dim, Number>::set_row(
+    const unsigned int                   i,
+    const BlockMatrix<dim, OtherNumber> &matrix)
+  {
+    const BlockSparsity &sparsity = matrix.sparsity();
+    const auto           copy     = [&](Part &part, const unsigned int begin) {
+      Number *target =
+        part.values.data() + std::size_t(part.row_start[i]) * dim * dim;
+      const unsigned int n = part.row_start[i + 1] - part.row_start[i];
+      for (unsigned int k = 0; k < n; ++k, target += dim * dim)
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            target[Kernels::sweep_position<dim>(c, d)] =
+              matrix.block(begin + k)[c * dim + d];
+    };
+    copy(lower, sparsity.row_start[i]);
+    copy(upper, sparsity.diagonal[i] + 1);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::set_diagonal(const unsigned int    i,
+                                              const Tensor<2, dim> &block,
+                                              const NodeMask       &active)
+  {
+    set_inverse_diagonal(i, invert_active(block, active, i));
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::set_inverse_diagonal(
+    const unsigned int    i,
+    const Tensor<2, dim> &inverse)
+  {
+    Number *target = inverse_diagonal.data() + std::size_t(i) * dim * dim;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        target[Kernels::sweep_position<dim>(c, d)] = inverse[c][d];
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::sweep_from_zero(
+    NodeValues<Number>       &x,
+    const NodeValues<Number> &b) const
+  {
+    Kernels::sweep_from_zero<dim>(
+      lower.rows(), inverse_diagonal.data(), n_rows, b.begin(), x.begin());
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::residual_after_first_sweep(
+    NodeValues<Number>       &r,
+    const NodeValues<Number> &x) const
+  {
+    update_ghosts(x);
+    Kernels::residual_after_sweep<dim>(upper.rows(),
+                                       n_rows,
+                                       x.begin(),
+                                       r.begin());
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::sweep_forward(
+    NodeValues<Number>       &x,
+    NodeValues<Number>       &change,
+    const NodeValues<Number> &b) const
+  {
+    update_ghosts(x);
+    change = x;
+    Kernels::sweep_forward<dim>(lower.rows(),
+                                upper.rows(),
+                                inverse_diagonal.data(),
+                                n_rows,
+                                b.begin(),
+                                x.begin());
+    change.sadd(Number(-1.), Number(1.), x);
+    update_ghosts(change);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::residual_after_sweep(
+    NodeValues<Number>       &r,
+    const NodeValues<Number> &change) const
+  {
+    Kernels::residual_after_sweep<dim>(upper.rows(),
+                                       n_rows,
+                                       change.begin(),
+                                       r.begin());
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  BlockGaussSeidel<dim, Number>::sweep_backward(
+    NodeValues<Number>       &x,
+    const NodeValues<Number> &b) const
+  {
+    update_ghosts(x);
+    Kernels::sweep_backward<dim>(lower.rows(),
+                                 upper.rows(),
+                                 inverse_diagonal.data(),
+                                 n_rows,
+                                 b.begin(),
+                                 x.begin());
+  }
+
+
+
+  template <int dim, typename Number>
+  std::size_t
+  BlockGaussSeidel<dim, Number>::Part::memory_consumption() const
+  {
+    return sizeof(unsigned int) * (row_start.capacity() + column.capacity()) +
+           sizeof(Number) * values.capacity();
+  }
+
+
+
+  template <int dim, typename Number>
+  std::size_t
+  BlockGaussSeidel<dim, Number>::memory_consumption() const
+  {
+    return lower.memory_consumption() + upper.memory_consumption() +
+           sizeof(Number) * inverse_diagonal.capacity();
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  invert_active(const Tensor<2, dim> &block,
+                const NodeMask       &active,
+                const unsigned int    node)
+  {
+    if (active.is_fully_active(node))
+      return invert(block);
+    Tensor<2, dim> result = block;
+    for (unsigned int c = 0; c < dim; ++c)
+      if (!active.is_active(node, c))
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            result[c][d] = result[d][c] = 0.;
+          result[c][c] = 1.;
+        }
+    result = invert(result);
+    for (unsigned int c = 0; c < dim; ++c)
+      if (!active.is_active(node, c))
+        result[c][c] = 0.;
+    return result;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim, Number)                      \
+  template class BlockGaussSeidel<dim, Number>;                 \
+  template void BlockGaussSeidel<dim, Number>::set_row<double>( \
+    const unsigned int, const BlockMatrix<dim, double> &);
+
+  STICKSLIP_INSTANTIATE(2, float)
+  STICKSLIP_INSTANTIATE(2, double)
+  STICKSLIP_INSTANTIATE(3, float)
+  STICKSLIP_INSTANTIATE(3, double)
+#undef STICKSLIP_INSTANTIATE
+
+#define STICKSLIP_INSTANTIATE(dim)                                   \
+  template void BlockGaussSeidel<dim, float>::set_row<float>(        \
+    const unsigned int, const BlockMatrix<dim, float> &);            \
+  template Tensor<2, dim> invert_active<dim>(const Tensor<2, dim> &, \
+                                             const NodeMask &,       \
+                                             const unsigned int);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

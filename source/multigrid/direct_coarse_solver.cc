@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <Amesos.h>
+#include <Amesos_BaseSolver.h>
+#include <Epetra_LinearProblem.h>
+#include <Teuchos_ParameterList.hpp>
+#include <stickslip/multigrid/direct_coarse_solver.h>
+
+#include <string>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** From this number of unknowns on, MUMPS is faster than KLU. */
+    constexpr unsigned int large_matrix = 1500;
+
+
+
+    std::unique_ptr<Amesos_BaseSolver>
+    make_factorisation(const Epetra_LinearProblem &problem,
+                       const unsigned int          n)
+    {
+      Amesos            factory;
+      const std::string name =
+        n >= large_matrix && factory.Query("Amesos_Mumps") ? "Amesos_Mumps" :
+                                                             "Amesos_Klu";
+      std::unique_ptr<Amesos_BaseSolver> result(factory.Create(name, problem));
+      AssertThrow(result, ExcMessage("This Trilinos lacks " + name + "."));
+      // KLU keeps the pivots of the first factors: the matrix is symmetric and
+      // positive definite, and any would do.
+      Teuchos::ParameterList parameters;
+      parameters.set("Refactorize", true);
+      result->SetParameters(parameters);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  DirectCoarseSolver<dim>::DirectCoarseSolver() = default;
+
+
+
+  template <int dim>
+  DirectCoarseSolver<dim>::~DirectCoarseSolver() = default;
+
+
+
+  template <int dim>
+  void
+  DirectCoarseSolver<dim>::set_matrix(const BlockMatrix<dim> &matrix,
+                                      const NodeMask         &mask)
+  {
+    const SilentErrors silence;
+    if (system.set_matrix(matrix, mask))
+      {
+        factorisation = make_factorisation(system.problem(), system.size());
+        if (factorisation->SymbolicFactorization() != 0)
+          throw SingularCoarseMatrix();
+      }
+    if (factorisation->NumericFactorization() != 0)
+      throw SingularCoarseMatrix();
+  }
+
+
+
+  template <int dim>
+  void
+  DirectCoarseSolver<dim>::solve(NodalVector &x, const NodalVector &b)
+  {
+    system.set_rhs(b);
+    const int error = factorisation->Solve();
+    AssertThrow(error == 0,
+                ExcMessage("The factors of the coarsest matrix are of no "
+                           "use."));
+    system.get_solution(x);
+  }
+
+
+
+  template class DirectCoarseSolver<2>;
+  template class DirectCoarseSolver<3>;
+} // namespace StickSlip

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/multigrid/linearised_cg.h>
+
+namespace StickSlip
+{
+  template <int dim>
+  LinearisedCG<dim>::LinearisedCG(const LevelHierarchy<dim> &hierarchy)
+    : hierarchy(hierarchy)
+    , direction(hierarchy.finest().nodes.make_vector())
+    , A_direction(direction)
+    , preconditioned(direction)
+  {}
+
+
+
+  template <int dim>
+  void
+  LinearisedCG<dim>::linearise(const std::vector<Tensor<2, dim>> &new_hessians,
+                               const NodeMask                    &new_active)
+  {
+    hessians = new_hessians;
+    active   = new_active;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  LinearisedCG<dim>::solve(const Preconditioner &precondition,
+                           const unsigned int    max_steps,
+                           const double          reduction,
+                           NodalVector          &x,
+                           NodalVector          &A_x,
+                           NodalVector          &r)
+  {
+    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
+    x                                      = 0.;
+    A_x                                    = 0.;
+    double       rz_old = 0., rz_small = 0.;
+    unsigned int steps = 0;
+    while (steps < max_steps)
+      {
+        precondition(preconditioned, r);
+        ++steps;
+        const double rz = r * preconditioned;
+        if (!(rz > rz_small))
+          break;
+        if (steps == 1)
+          {
+            direction = preconditioned;
+            rz_small  = reduction * reduction * rz;
+          }
+        else
+          direction.sadd(rz / rz_old, 1., preconditioned);
+        hierarchy.matrix().vmult(A_direction, direction);
+        add_hessians(A_direction, 1., nodes, hessians, direction);
+        const double curvature = direction * A_direction;
+        if (!(curvature > 0.))
+          break;
+        const double length = rz / curvature;
+        x.add(length, direction);
+        A_x.add(length, A_direction);
+        rz_old = rz;
+        // Nothing needs the residual of the last step.
+        if (steps < max_steps)
+          {
+            active.apply(A_direction);
+            r.add(-length, A_direction);
+          }
+      }
+    // So far it is (A + H) x.
+    add_hessians(A_x, -1., nodes, hessians, x);
+    return steps;
+  }
+
+
+
+  template class LinearisedCG<2>;
+  template class LinearisedCG<3>;
+} // namespace StickSlip

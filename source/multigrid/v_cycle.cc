@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/base/flush_to_zero.h>
+#include <stickslip/multigrid/cycle_operators.h>
+#include <stickslip/multigrid/v_cycle.h>
+
+#include <limits>
+#include <type_traits>
+
+namespace StickSlip
+{
+  namespace
+  {
+    template <int dim, typename Number>
+    class VCycleIn : public VCycle<dim>
+    {
+    public:
+      explicit VCycleIn(const std::vector<LevelDescription<dim>> &descriptions);
+
+      void
+      set_terms(const std::vector<BlockMatrix<dim>> &finest) override;
+
+      void
+      combine_coarse_levels(const std::vector<double> &coefficients) override;
+
+      void
+      set_finest_row(const BlockMatrix<dim> &A,
+                     const unsigned int      i,
+                     const Tensor<2, dim>   &inverse_diagonal) override;
+
+      void
+      set_finest_diagonal(const unsigned int    i,
+                          const Tensor<2, dim> &block,
+                          const NodeMask       &active) override;
+
+      void
+      set_coarse_levels(const BlockMatrix<dim>          &A,
+                        const NodeMask                  &active,
+                        const std::vector<unsigned int> &changed) override;
+
+      void
+      vmult(NodalVector       &x,
+            const NodalVector &b,
+            const NodeMask    &active) override;
+
+      BlockMatrix<dim>
+      coarse_matrix(const unsigned int l) const override;
+
+      void
+      set_smoothing_sweeps(const unsigned int sweeps) override;
+
+      void
+      set_coarse_solver(const CoarseSolverType type) override;
+
+      std::size_t
+      memory_consumption() const override;
+
+    private:
+      struct Level
+      {
+        NodeValues<Number> solution, rhs, residual, change;
+      };
+
+      void
+      factorise_coarsest_level();
+
+      void
+      cycle(const unsigned int l, const NodeMask &active);
+
+      void
+      solve_coarsest_level();
+
+      const std::vector<LevelDescription<dim>> &descriptions;
+      CycleOperators<dim, Number>               operators;
+      std::vector<Level>                        levels;
+      /** Only where the coarsest level is. */
+      std::unique_ptr<CoarseSolver<dim>> coarse_solver;
+      NodalVector                        coarsest_solution, coarsest_rhs;
+      unsigned int                       sweeps = 1;
+    };
+
+
+
+    template <int dim, typename Number>
+    VCycleIn<dim, Number>::VCycleIn(
+      const std::vector<LevelDescription<dim>> &descriptions)
+      : descriptions(descriptions)
+      , operators(descriptions)
+      , levels(descriptions.size())
+      , coarse_solver(make_coarse_solver<dim>(CoarseSolverType::direct))
+      , coarsest_solution(
+          descriptions.front().nodes.template make_vector<double>())
+      , coarsest_rhs(coarsest_solution)
+    {
+      for (unsigned int l = 0; l < levels.size(); ++l)
+        {
+          Level &level   = levels[l];
+          level.solution = descriptions[l].nodes.template make_vector<Number>();
+          level.rhs      = level.solution;
+          level.residual = level.solution;
+        }
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::set_terms(
+      const std::vector<BlockMatrix<dim>> &finest)
+    {
+      operators.set_terms(finest);
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::combine_coarse_levels(
+      const std::vector<double> &coefficients)
+    {
+      operators.combine_coarse_levels(coefficients);
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::set_finest_row(
+      const BlockMatrix<dim> &A,
+      const unsigned int      i,
+      const Tensor<2, dim>   &inverse_diagonal)
+    {
+      operators.set_finest_row(A, i, inverse_diagonal);
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::set_finest_diagonal(const unsigned int    i,
+                                               const Tensor<2, dim> &block,
+                                               const NodeMask       &active)
+    {
+      operators.set_finest_diagonal(i, block, active);
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::set_coarse_levels(
+      const BlockMatrix<dim>          &A,
+      const NodeMask                  &active,
+      const std::vector<unsigned int> &changed)
+    {
+      operators.set_coarse_levels(A, active, changed);
+      factorise_coarsest_level();
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::factorise_coarsest_level()
+    {
+      // One process does this, and all must know how it ended.
+      int is_singular = 0;
+      try
+        {
+          if (operators.coarse_matrix(0).n_rows() > 0)
+            coarse_solver->set_matrix(coarse_matrix(0), operators.active(0));
+        }
+      catch (const SingularCoarseMatrix &)
+        {
+          is_singular = 1;
+        }
+      if (Utilities::MPI::max(is_singular,
+                              descriptions.front().nodes.communicator()) > 0)
+        throw SingularCoarseMatrix();
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::vmult(NodalVector       &x,
+                                 const NodalVector &b,
+                                 const NodeMask    &active)
+    {
+      // Single precision has no room for numbers like those of a fault at
+      // rest, 1e-40, so the right hand side is scaled.
+      double scale = 1.;
+      if (std::is_same<Number, float>::value)
+        {
+          scale = b.linfty_norm();
+          if (scale < std::numeric_limits<double>::min())
+            {
+              x = 0.;
+              return;
+            }
+        }
+      const FlushToZero  flush;
+      Level             &finest  = levels.back();
+      const unsigned int n       = b.locally_owned_size();
+      const double       inverse = 1. / scale;
+      for (unsigned int i = 0; i < n; ++i)
+        finest.rhs.local_element(i) = Number(b.local_element(i) * inverse);
+      cycle(levels.size() - 1, active);
+      for (unsigned int i = 0; i < n; ++i)
+        x.local_element(i) = finest.solution.local_element(i) * scale;
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::cycle(const unsigned int l, const NodeMask &active)
+    {
+      if (l == 0)
+        {
+          solve_coarsest_level();
+          return;
+        }
+      Level                               &level    = levels[l];
+      Level                               &coarse   = levels[l - 1];
+      const BlockGaussSeidel<dim, Number> &smoother = operators.smoother(l);
+      const NodeMask       &active_below            = operators.active(l - 1);
+      const TransferMatrix &P = descriptions[l].to_coarser->prolongation();
+
+      smoother.sweep_from_zero(level.solution, level.rhs);
+      if (sweeps == 1)
+        smoother.residual_after_first_sweep(level.residual, level.solution);
+      else
+        {
+          if (level.change.size() == 0)
+            level.change = level.solution;
+          for (unsigned int sweep = 1; sweep < sweeps; ++sweep)
+            smoother.sweep_forward(level.solution, level.change, level.rhs);
+          smoother.residual_after_sweep(level.residual, level.change);
+        }
+      active.apply(level.residual);
+
+      P.restrict_to(coarse.rhs, level.residual, dim);
+      active_below.apply(coarse.rhs);
+      cycle(l - 1, active_below);
+      P.prolongate_add(level.solution, coarse.solution, dim);
+      active.apply(level.solution);
+
+      for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
+        smoother.sweep_backward(level.solution, level.rhs);
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::solve_coarsest_level()
+    {
+      Level &level = levels.front();
+      if (operators.coarse_matrix(0).n_rows() > 0)
+        {
+          coarsest_rhs.copy_locally_owned_data_from(level.rhs);
+          coarse_solver->solve(coarsest_solution, coarsest_rhs);
+          level.solution.copy_locally_owned_data_from(coarsest_solution);
+        }
+      operators.active(0).apply(level.solution);
+    }
+
+
+
+    template <int dim, typename Number>
+    BlockMatrix<dim>
+    VCycleIn<dim, Number>::coarse_matrix(const unsigned int l) const
+    {
+      const BlockMatrix<dim, Number> &matrix = operators.coarse_matrix(l);
+      BlockMatrix<dim>                result(matrix.shared_sparsity());
+      std::copy(matrix.values().begin(),
+                matrix.values().end(),
+                result.values().begin());
+      return result;
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::set_smoothing_sweeps(const unsigned int n)
+    {
+      sweeps = n;
+    }
+
+
+
+    template <int dim, typename Number>
+    void
+    VCycleIn<dim, Number>::set_coarse_solver(const CoarseSolverType type)
+    {
+      coarse_solver = make_coarse_solver<dim>(type);
+    }
+
+
+
+    template <int dim, typename Number>
+    std::size_t
+    VCycleIn<dim, Number>::memory_consumption() const
+    {
+      std::size_t bytes = operators.memory_consumption();
+      for (const Level &level : levels)
+        bytes += sizeof(Number) * 3 * level.rhs.locally_owned_size();
+      return bytes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<VCycle<dim>>
+  make_v_cycle(const CyclePrecision                      precision,
+               const std::vector<LevelDescription<dim>> &levels)
+  {
+    if (precision == CyclePrecision::single_precision)
+      return std::make_unique<VCycleIn<dim, float>>(levels);
+    return std::make_unique<VCycleIn<dim, double>>(levels);
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                         \
+  template class VCycle<dim>;                              \
+  template std::unique_ptr<VCycle<dim>> make_v_cycle<dim>( \
+    const CyclePrecision, const std::vector<LevelDescription<dim>> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/faults/contact_pressure.h>
+#include <stickslip/multigrid/linearised_operator.h>
+#include <stickslip/problem/initial_equilibrium.h>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** Friction resists what the reaction holds. */
+    template <int dim>
+    std::vector<Tensor<1, dim - 1>>
+    shear_tractions(const JumpBasis<dim> &basis,
+                    const NodePartition  &nodes,
+                    const NodalVector    &reaction)
+    {
+      std::vector<Tensor<1, dim - 1>> tractions;
+      for (const FaultContact<dim> &contact : basis.faults())
+        {
+          const std::vector<Tensor<1, dim>> forces =
+            gather_nodes<dim>(reaction, nodes, contact.slave_nodes);
+          for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+            {
+              tractions.emplace_back();
+              if (contact.coupling.active[k])
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  tractions.back()[d] =
+                    -forces[k][d] / contact.coupling.weight[k];
+            }
+        }
+      return tractions;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  InitialEquilibrium<dim>
+  solve_initial_equilibrium(SpatialProblem<dim> &problem)
+  {
+    constexpr double       reduction      = 1e-12;
+    constexpr unsigned int max_iterations = 1000;
+
+    LevelHierarchy<dim>         &hierarchy = problem.hierarchy();
+    const LevelDescription<dim> &finest    = hierarchy.finest();
+
+    std::vector<double> coefficients(3, 0.);
+    coefficients[SpatialProblem<dim>::stiffness] = 1.;
+    problem.combine(coefficients);
+    NodeMask stuck = finest.fixed;
+    for (const unsigned int p : finest.nonsmooth_nodes)
+      stuck.mask_node(p);
+    try
+      {
+        hierarchy.linearise(
+          std::vector<Tensor<2, dim>>(finest.nonsmooth_nodes.size()), stuck);
+      }
+    catch (const SingularCoarseMatrix &error)
+      {
+        throw AgreedFailure("The static equilibrium at the start was not "
+                            "found: " +
+                            std::string(error.what()) +
+                            ". Sizes and materials of the bodies must not be "
+                            "out of all proportion.");
+      }
+
+    const NodalVector load = problem.load(0.);
+    NodalVector       rhs  = load;
+    stuck.apply(rhs);
+    NodalVector w = problem.make_vector();
+
+    InitialEquilibrium<dim> result;
+    SolverControl           control(max_iterations, reduction * rhs.l2_norm());
+    if (rhs.l2_norm() > 0.)
+      try
+        {
+          SolverCG<NodalVector>(control).solve(
+            LinearisedOperator<dim>{hierarchy},
+            w,
+            rhs,
+            CyclePreconditioner<dim>{hierarchy});
+        }
+      catch (const SolverControl::NoConvergence &)
+        {
+          throw AgreedFailure("The static equilibrium at the start was not "
+                              "found: the boundary conditions must hold every "
+                              "body.");
+        }
+    // Without a load nothing was solved, and the control has no last step.
+    if (rhs.l2_norm() > 0.)
+      result.iterations = control.last_step();
+
+    NodalVector reaction = problem.make_vector();
+    hierarchy.matrix().residual(reaction, load, w);
+    reaction *= -1.;
+    result.contact_pressure =
+      contact_pressures(problem.jump_basis(), finest.nodes, reaction);
+    result.shear_traction =
+      shear_tractions(problem.jump_basis(), finest.nodes, reaction);
+    result.displacement = problem.make_nodal_vector();
+    problem.to_nodal(result.displacement, w);
+    return result;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                 \
+  template struct InitialEquilibrium<dim>;                         \
+  template InitialEquilibrium<dim> solve_initial_equilibrium<dim>( \
+    SpatialProblem<dim> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

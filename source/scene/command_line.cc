@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/base/input_error.h>
+#include <stickslip/scene/command_line.h>
+
+namespace StickSlip
+{
+  CommandLine
+  parse_command_line(const std::vector<std::string> &arguments)
+  {
+    CommandLine       command_line;
+    const std::string set     = "--set";
+    bool              is_help = false, is_version = false, is_reference = false;
+    for (unsigned int i = 0; i < arguments.size(); ++i)
+      {
+        const std::string &argument = arguments[i];
+        if (argument == set)
+          {
+            if (i + 1 == arguments.size())
+              throw InputError("--set: must be followed by "
+                               "'Section/Subsection/Entry=value'.");
+            command_line.overrides.push_back(arguments[++i]);
+          }
+        else if (argument.rfind(set + "=", 0) == 0)
+          command_line.overrides.push_back(argument.substr(set.size() + 1));
+        else if (argument == "--help" || argument == "-h")
+          is_help = true;
+        else if (argument == "--version")
+          is_version = true;
+        else if (argument == "--parameter-reference")
+          is_reference = true;
+        else if (argument.rfind("-", 0) == 0)
+          throw InputError("'" + argument +
+                           "': there is no such option; allowed are --set, "
+                           "--help, --version and --parameter-reference.");
+        else if (!command_line.parameter_file.empty())
+          throw InputError("'" + argument +
+                           "': a parameter file is already "
+                           "given, '" +
+                           command_line.parameter_file + "'; one is allowed.");
+        else
+          command_line.parameter_file = argument;
+      }
+
+    if (is_help)
+      command_line.task = CommandLine::Task::print_help;
+    else if (is_version)
+      command_line.task = CommandLine::Task::print_version;
+    else if (is_reference)
+      command_line.task = CommandLine::Task::print_parameter_reference;
+    else if (command_line.parameter_file.empty())
+      throw InputError("No parameter file is given; the program is called as "
+                       "'stickslip FILE.prm', see 'stickslip --help'.");
+    return command_line;
+  }
+
+
+
+  std::string
+  command_line_help()
+  {
+    return "Usage: stickslip FILE.prm [--set 'Section/Subsection/Entry=value']"
+           "...\n\n"
+           "Simulates the fault system that the parameter file describes.\n\n"
+           "  --set PATH=VALUE        override an entry of the file; may be "
+           "repeated\n"
+           "  --help                  print this text\n"
+           "  --version               print the version\n"
+           "  --parameter-reference   print all entries of parameter files, in "
+           "Markdown\n";
+  }
+} // namespace StickSlip

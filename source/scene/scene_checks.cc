@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/base/input_error.h>
+#include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/number_range.h>
+#include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/scene_checks.h>
+#include <stickslip/scene/scene_declaration.h>
+#include <stickslip/scene/side_points.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+
+namespace StickSlip
+{
+  namespace
+  {
+    std::string
+    naming(const std::string &path, const std::string &value)
+    {
+      return "'" + path + "' = '" + value + "'";
+    }
+
+
+
+    std::string
+    naming(const std::string &path, const double value)
+    {
+      return naming(path, shortest_form(value));
+    }
+
+
+
+    void
+    check_order(const std::string &section,
+                const std::string &lower_name,
+                const double       lower,
+                const std::string &upper_name,
+                const double       upper)
+    {
+      if (lower > upper)
+        throw InputError(naming(section + "/" + lower_name, lower) +
+                         ": must not be larger than " +
+                         naming(upper_name, upper) + ".");
+    }
+
+
+
+    void
+    check_time(const TimeParameters &time)
+    {
+      check_order("Time",
+                  "Smallest step",
+                  time.smallest_step,
+                  "Largest step",
+                  time.largest_step);
+      if (time.inertia != Inertia::dynamic &&
+          time.scheme == TimeScheme::generalised_alpha)
+        throw InputError(
+          naming("Time/Scheme", "generalised alpha") +
+          ": is for 'Time/Inertia' = 'dynamic'; without inertia there are no "
+          "oscillations to damp, and each step takes backward differences.");
+      if (time.control == StepSizeControl::constant)
+        return;
+      check_order("Time",
+                  "Smallest step",
+                  time.smallest_step,
+                  "Initial step",
+                  time.initial_step);
+      check_order("Time",
+                  "Initial step",
+                  time.initial_step,
+                  "Largest step",
+                  time.largest_step);
+    }
+
+
+
+    void
+    check_output(const OutputParameters &output, const Inertia inertia)
+    {
+      check_order("Output",
+                  "Fault shortest interval",
+                  output.fault_shortest_interval,
+                  "Fault longest interval",
+                  output.fault_longest_interval);
+      check_order("Output",
+                  "Volume shortest interval",
+                  output.volume_shortest_interval,
+                  "Volume longest interval",
+                  output.volume_longest_interval);
+      if (output.write_volume && inertia != Inertia::dynamic &&
+          has_field(output.volume_fields, VolumeField::acceleration))
+        throw InputError("'Output/Volume fields' lists 'acceleration', which "
+                         "there is for 'Time/Inertia' = 'dynamic' only.");
+    }
+
+
+
+    /** The path of the entry that makes bodies periodic along an axis. */
+    std::string
+    periodic_entry(const unsigned int axis)
+    {
+      return std::string("Boundary conditions/Periodic along ") + "xy"[axis];
+    }
+
+
+
+    /** A wedge must be a body everywhere, and fit to its image if it is
+     * periodic. */
+    template <int dim>
+    void
+    check_slope(const BodyParameters<dim> &body)
+    {
+      const BodyGeometry<dim> &geometry = body.geometry;
+      const std::string        path     = "Bodies/" + body.name + "/";
+      // Linear in each coordinate: smallest at a corner.
+      Point<dim> lowest = geometry.lower_corner();
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        {
+          if (geometry.upper_slope[axis] < 0)
+            lowest[axis] = geometry.lateral_upper[axis];
+          if (geometry.periodic[axis] && geometry.upper_slope[axis] != 0)
+            throw InputError(
+              naming(path + "Upper slope", geometry.upper_slope[axis]) +
+              " along " + "xy"[axis] + ": must be 0, since '" +
+              periodic_entry(axis) + "' = 'true'.");
+        }
+      if (!(geometry.thickness_at(lowest) > 0))
+        throw InputError("'" + path + "Upper slope': leaves a thickness of " +
+                         shortest_form(geometry.thickness_at(lowest)) +
+                         " m at the thin end; it must be greater than 0.");
+    }
+
+
+
+    template <int dim>
+    void
+    check_bodies(const SceneParameters<dim> &scene)
+    {
+      const std::vector<BodyParameters<dim>> &bodies = scene.bodies;
+      for (const BodyParameters<dim> &body : bodies)
+        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+          if (body.geometry.lateral_lower[axis] >=
+              body.geometry.lateral_upper[axis])
+            throw InputError(
+              naming("Bodies/" + body.name + "/Lower lateral corner",
+                     body.geometry.lateral_lower[axis]) +
+              ": must be less than " +
+              naming("Upper lateral corner",
+                     body.geometry.lateral_upper[axis]) +
+              " along " + "xy"[axis] + ".");
+
+      for (unsigned int i = 0; i < bodies.size(); ++i)
+        {
+          const BodyGeometry<dim> &geometry = bodies[i].geometry;
+          const std::string        path     = "Bodies/" + bodies[i].name + "/";
+          if (geometry.is_sloped() && i + 1 < bodies.size())
+            throw InputError("'" + path +
+                             "Upper slope': must be 0, since the "
+                             "fault above is level; only the highest body may "
+                             "have a slope.");
+          if (geometry.is_sloped() && geometry.rigid)
+            throw InputError("'" + path +
+                             "Upper slope': must be 0 for a body "
+                             "with 'Rigid' = 'true'.");
+          if (geometry.rigid && i > 0 && bodies[i - 1].geometry.rigid)
+            throw InputError(naming(path + "Rigid", "true") + ": '" +
+                             bodies[i - 1].name +
+                             "' below is rigid too; of two neighbours at least "
+                             "one must deform.");
+          check_slope(bodies[i]);
+        }
+
+      for (unsigned int i = 1; i < bodies.size(); ++i)
+        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+          {
+            const BodyGeometry<dim> &below = bodies[i - 1].geometry;
+            const BodyGeometry<dim> &above = bodies[i].geometry;
+            const auto               range = [axis](const auto &geometry) {
+              return shortest_form(geometry.lateral_lower[axis]) + ", " +
+                     shortest_form(geometry.lateral_upper[axis]);
+            };
+            if (std::max(below.lateral_lower[axis],
+                         above.lateral_lower[axis]) >=
+                std::min(below.lateral_upper[axis], above.lateral_upper[axis]))
+              throw InputError(
+                naming("Bodies/" + bodies[i].name +
+                         "/Lower and Upper lateral corner",
+                       range(above)) +
+                " along " + "xy"[axis] + ": must overlap those of '" +
+                bodies[i - 1].name + "' below, '" + range(below) +
+                "', for there to be a fault between the two.");
+            if (scene.periodic[axis] &&
+                (below.lateral_lower[axis] != above.lateral_lower[axis] ||
+                 below.lateral_upper[axis] != above.lateral_upper[axis]))
+              throw InputError(naming("Bodies/" + bodies[i].name +
+                                        "/Lower and Upper lateral corner",
+                                      range(above)) +
+                               " along " + "xy"[axis] + ": must be those of '" +
+                               bodies[i - 1].name + "' below, '" +
+                               range(below) + "', since '" +
+                               periodic_entry(axis) + "' = 'true'.");
+          }
+    }
+
+
+
+    // That there is a value at each point and time.
+    template <int dim>
+    void
+    check_expression(const std::string             &path,
+                     const std::string             &expression,
+                     const std::vector<Point<dim>> &points,
+                     const std::vector<double>     &times)
+    {
+      try
+        {
+          for (const Point<dim> &point : points)
+            for (const double time : times)
+              evaluate_expression(expression, point, true, time);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(naming(path, expression) +
+                           ": cannot be used: " + error.what() + ".");
+        }
+    }
+
+
+
+    // Fields are checked again wherever they are needed; this comes before the
+    // meshes are made.
+    template <int dim>
+    void
+    check_materials(const SceneParameters<dim> &scene)
+    {
+      for (const BodyParameters<dim> &body : scene.bodies)
+        {
+          const auto material = body.material.template function<dim>();
+          for (const Point<dim> &point : body_points(body.geometry))
+            material(point);
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    check_faults(const SceneParameters<dim> &scene)
+    {
+      for (unsigned int i = 0; i < scene.faults.size(); ++i)
+        {
+          const FaultParameters &fault  = scene.faults[i];
+          const auto             points = fault_points(scene.bodies[i].geometry,
+                                           scene.bodies[i + 1].geometry);
+          for (const FaultPart &part : fault.parts(points))
+            part.friction->check(part.select(points), part.section);
+          if (fault.normal_stress_source == NormalStressSource::function)
+            fault.normal_stress.values(points, fault.section());
+        }
+    }
+
+
+
+    /** Step doubling compares states, so some part of a fault must have one. */
+    template <int dim>
+    void
+    check_doubling(const SceneParameters<dim> &scene)
+    {
+      if (scene.time.control != StepSizeControl::step_doubling ||
+          scene.faults.empty())
+        return;
+      for (const FaultParameters &fault : scene.faults)
+        if (fault.has_state() ||
+            std::any_of(fault.regions.begin(),
+                        fault.regions.end(),
+                        [](const FrictionRegion &region) {
+                          return region.friction.has_state();
+                        }))
+          return;
+      throw InputError(
+        naming("Time/Step size control", "step doubling") +
+        ": compares the states of two small steps and a large one, and no fault "
+        "has 'Friction' = 'rate and state'; choose embedded or constant.");
+    }
+
+
+
+    /** What is said of a side of a rigid body must be a motion of all of it. */
+    template <int dim>
+    void
+    check_rigid_motion(const SceneParameters<dim>   &scene,
+                       const BoundaryCondition<dim> &condition)
+    {
+      const std::string path = "Boundary conditions/" + condition.body + " " +
+                               side_name<dim>(condition.side) + "/";
+      for (const BoundaryCondition<dim> &other : scene.boundary_conditions)
+        if (other.body == condition.body && other.side != condition.side)
+          throw InputError("'Boundary conditions/Sides': lists two sides of "
+                           "the rigid body '" +
+                           condition.body +
+                           "'; one is enough, all of it moves with it.");
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const std::string axis(1, "xyz"[c]);
+          if (condition.type[c] == BoundaryType::traction)
+            throw InputError(naming(path + axis + " condition", "traction") +
+                             ": must be fixed, velocity or free on a rigid "
+                             "body, which does not move where it is free.");
+          static const std::regex a_coordinate("\\b[xyz]\\b");
+          if (condition.type[c] == BoundaryType::velocity &&
+              std::regex_search(condition.expression[c], a_coordinate))
+            throw InputError(
+              naming(path + axis + " value", condition.expression[c]) +
+              ": must not depend on the position, since the body "
+              "is rigid.");
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    check_boundary_conditions(const SceneParameters<dim> &scene)
+    {
+      std::array<bool, dim> held;
+      held.fill(scene.bodies.front().geometry.rigid);
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        for (const BodyParameters<dim> &body : scene.bodies)
+          if (body.name == condition.body && body.geometry.rigid)
+            check_rigid_motion(scene, condition);
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        {
+          const std::string path = "Boundary conditions/" + condition.body +
+                                   " " + side_name<dim>(condition.side) + "/";
+          const unsigned int normal_axis = condition.side / 2;
+          if (normal_axis + 1 < dim && scene.periodic[normal_axis])
+            throw InputError("'Boundary conditions/Sides': '" + condition.body +
+                             " " + side_name<dim>(condition.side) +
+                             "' is no outer side, since '" +
+                             periodic_entry(normal_axis) +
+                             "' = 'true' joins it to the opposite one.");
+          for (unsigned int component = 0; component < dim; ++component)
+            {
+              const std::string  axis(1, "xyz"[component]);
+              const std::string &expression = condition.expression[component];
+              const BoundaryType type       = condition.type[component];
+
+              if (condition.body == scene.bodies.front().name &&
+                  (type == BoundaryType::fixed ||
+                   type == BoundaryType::velocity))
+                held[component] = true;
+
+              if (type == BoundaryType::velocity ||
+                  type == BoundaryType::traction)
+                check_expression(path + axis + " value",
+                                 expression,
+                                 side_points(scene, condition),
+                                 {0.,
+                                  0.5 * scene.time.end_time,
+                                  scene.time.end_time});
+              else if (expression != "0")
+                throw InputError(
+                  naming(path + axis + " value", expression) +
+                  ": has no effect, since '" + axis + " condition' = '" +
+                  (type == BoundaryType::free ? "free" : "fixed") +
+                  "'; values are allowed with velocity and traction.");
+            }
+        }
+
+      for (unsigned int component = 0; component < dim; ++component)
+        if (!held[component])
+          throw InputError(
+            "'Boundary conditions/Sides': no side of the lowest body '" +
+            scene.bodies.front().name + "' has '" + "xyz"[component] +
+            " condition' = 'fixed' or 'velocity', so the bodies could float "
+            "away along " +
+            "xyz"[component] + "; at least one must.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_scene(const SceneParameters<dim> &scene)
+  {
+    check_time(scene.time);
+    check_output(scene.output, scene.time.inertia);
+    check_bodies(scene);
+    check_materials(scene);
+    check_faults(scene);
+    check_doubling(scene);
+    check_boundary_conditions(scene);
+
+    if (!scene.faults.empty() && scene.output.event_start_slip_rate == 0 &&
+        event_start_slip_rate(scene) == 0)
+      throw InputError(
+        "'Output/Event start slip rate' = '0': stands for twice the largest "
+        "prescribed velocity, which is 0 in this scene; give a slip rate > 0 "
+        "m/s.");
+  }
+
+
+
+  template <int dim>
+  void
+  check_process_count(const SceneParameters<dim> &scene,
+                      const unsigned int          n_processes)
+  {
+    if (n_processes == 1)
+      return;
+    const std::string ending = ": runs on one process only, but there are " +
+                               std::to_string(n_processes) + ".";
+    if (scene.time.rate_solver == RateSolver::condensed_newton)
+      throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
+    const std::map<LinearCorrectionType, std::string> names = {
+      {LinearCorrectionType::umfpack, "UMFPACK"},
+      {LinearCorrectionType::mumps, "MUMPS"},
+      {LinearCorrectionType::amg, "AMG"}};
+    const auto serial = names.find(scene.tnnmg.linear_correction);
+    if (serial != names.end())
+      throw InputError(naming("TNNMG/Linear correction", serial->second) +
+                       ending);
+  }
+
+
+
+  template void
+  check_scene(const SceneParameters<2> &);
+  template void
+  check_scene(const SceneParameters<3> &);
+  template void
+  check_process_count(const SceneParameters<2> &, const unsigned int);
+  template void
+  check_process_count(const SceneParameters<3> &, const unsigned int);
+} // namespace StickSlip

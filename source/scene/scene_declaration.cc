@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/parameters/entries.h>
+#include <stickslip/parameters/name_list.h>
+#include <stickslip/scene/scene_declaration.h>
+
+namespace StickSlip
+{
+  namespace
+  {
+    template <typename Item>
+    std::string
+    names_of(const std::vector<Item> &items)
+    {
+      std::vector<std::string> names;
+      for (const Item &item : items)
+        names.push_back(item.name);
+      return join_names(names);
+    }
+
+
+
+    template <int dim>
+    void
+    declare_bodies(ParameterHandler &prm, SceneParameters<dim> &scene)
+    {
+      prm.enter_subsection("Bodies");
+      prm.declare_entry("Names",
+                        names_of(scene.bodies),
+                        NameList(),
+                        "Names of the bodies from bottom to top. Each has a "
+                        "subsection of its name.");
+      add_number(prm,
+                 "Base elevation",
+                 scene.bodies.front().geometry.base,
+                 NumberRange(),
+                 "Elevation of the lower side of the lowest body, in m.");
+      for (BodyParameters<dim> &body : scene.bodies)
+        {
+          prm.enter_subsection(body.name);
+          body.geometry.add_parameters(prm);
+          prm.enter_subsection("Material");
+          body.material.section = "Bodies/" + body.name + "/Material";
+          body.material.add_parameters(prm);
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
+      prm.leave_subsection();
+    }
+
+
+
+    template <int dim>
+    void
+    declare_faults(ParameterHandler &prm, SceneParameters<dim> &scene)
+    {
+      prm.enter_subsection("Faults");
+      prm.declare_entry("Names",
+                        names_of(scene.faults),
+                        NameList(),
+                        "Names of the faults from bottom to top, one between "
+                        "each two neighbouring bodies; empty for a single "
+                        "body. Each has a subsection of its name.");
+      for (FaultParameters &fault : scene.faults)
+        {
+          prm.enter_subsection(fault.name);
+          fault.add_parameters(prm, dim);
+          prm.leave_subsection();
+        }
+      prm.leave_subsection();
+    }
+
+
+
+    template <int dim>
+    void
+    declare_boundary_conditions(ParameterHandler     &prm,
+                                SceneParameters<dim> &scene)
+    {
+      std::vector<std::string> sides;
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        sides.push_back(condition.body + " " + side_name<dim>(condition.side));
+
+      prm.enter_subsection("Boundary conditions");
+      prm.declare_entry("Sides",
+                        join_names(sides),
+                        NameList(2),
+                        "The sides that are not free, each as '<body> <side>', "
+                        "where side is left, right, bottom or top and in three "
+                        "dimensions also front or back. Each has a subsection "
+                        "of this name.");
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        add_switch(prm,
+                   std::string("Periodic along ") + "xy"[axis],
+                   scene.periodic[axis],
+                   "Whether bodies and faults have no ends along this axis: "
+                   "the two sides of each body are joined, all fields repeat "
+                   "after the extent of the bodies, which must be the same for "
+                   "all, and what slides out on one side comes back on the "
+                   "other.");
+      for (unsigned int i = 0; i < sides.size(); ++i)
+        {
+          prm.enter_subsection(sides[i]);
+          scene.boundary_conditions[i].add_parameters(prm);
+          prm.leave_subsection();
+        }
+      prm.leave_subsection();
+    }
+
+
+
+    template <typename Parameters>
+    void
+    declare_section(ParameterHandler  &prm,
+                    const std::string &name,
+                    Parameters        &parameters)
+    {
+      prm.enter_subsection(name);
+      parameters.add_parameters(prm);
+      prm.leave_subsection();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  side_name(const unsigned int side)
+  {
+    AssertIndexRange(side, 2 * dim);
+    const unsigned int axis = side / 2;
+    if (axis == 0)
+      return side % 2 == 0 ? "left" : "right";
+    if (axis == dim - 1)
+      return side % 2 == 0 ? "bottom" : "top";
+    return side % 2 == 0 ? "front" : "back";
+  }
+
+
+
+  template <int dim>
+  void
+  declare_scene(ParameterHandler &prm, SceneParameters<dim> &scene)
+  {
+    Assert(!scene.bodies.empty(), ExcMessage("A scene needs a body."));
+
+    prm.declare_entry("Dimension",
+                      std::to_string(dim),
+                      NumberRange().whole().at_least(2).at_most(3),
+                      "Dimension of space: 2 (plane strain) or 3. The last "
+                      "axis is vertical.");
+    declare_bodies(prm, scene);
+    declare_faults(prm, scene);
+    declare_boundary_conditions(prm, scene);
+
+    prm.enter_subsection("Gravity");
+    add_number(prm,
+               "Acceleration",
+               scene.gravity,
+               NumberRange().at_least(0),
+               "Acceleration of gravity, downwards, in m/s^2.");
+    add_number(
+      prm,
+      "Dip",
+      scene.dip,
+      NumberRange().above(-90).below(90),
+      "Angle by which the faults dip towards positive x, in degrees. "
+      "The axes of the scene stay along the faults: gravity has a part "
+      "g sin(dip) along x, and g cos(dip) presses the bodies "
+      "together.");
+    prm.leave_subsection();
+
+    declare_section(prm, "Contact", scene.contact);
+    declare_section(prm, "TNNMG", scene.tnnmg);
+    declare_section(prm, "Time", scene.time);
+    declare_section(prm, "Output", scene.output);
+  }
+
+
+
+  template <int dim>
+  void
+  complete_geometry(SceneParameters<dim> &scene)
+  {
+    for (unsigned int i = 1; i < scene.bodies.size(); ++i)
+      scene.bodies[i].geometry.base = scene.bodies[i - 1].geometry.base +
+                                      scene.bodies[i - 1].geometry.thickness;
+    for (BodyParameters<dim> &body : scene.bodies)
+      body.geometry.periodic = scene.periodic;
+  }
+
+
+
+  template std::string
+  side_name<2>(const unsigned int);
+  template std::string
+  side_name<3>(const unsigned int);
+  template void
+  declare_scene(ParameterHandler &, SceneParameters<2> &);
+  template void
+  declare_scene(ParameterHandler &, SceneParameters<3> &);
+  template void
+  complete_geometry(SceneParameters<2> &);
+  template void
+  complete_geometry(SceneParameters<3> &);
+} // namespace StickSlip

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/base/input_error.h>
+#include <stickslip/parameters/declared_entries.h>
+#include <stickslip/parameters/name_list.h>
+#include <stickslip/parameters/spatial_field.h>
+#include <stickslip/scene/scene_checks.h>
+#include <stickslip/scene/scene_declaration.h>
+#include <stickslip/scene/scene_reader.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace StickSlip
+{
+  namespace
+  {
+    std::string
+    naming(const Assignment &assignment)
+    {
+      return "'" + assignment.path() + "' = '" + assignment.value + "' (" +
+             assignment.origin + ")";
+    }
+
+
+
+    // What is there in place of an entry that is not: the entries of its
+    // subsection, or the subsections of the deepest one that exists.
+    std::string
+    alternatives(const Assignment                 &assignment,
+                 const std::vector<DeclaredEntry> &entries)
+    {
+      std::vector<std::string> sections = assignment.sections;
+      while (true)
+        {
+          std::vector<std::string> names;
+          for (const DeclaredEntry &entry : entries)
+            {
+              if (entry.sections.size() < sections.size() ||
+                  !std::equal(sections.begin(),
+                              sections.end(),
+                              entry.sections.begin()))
+                continue;
+              const std::string name =
+                entry.sections.size() == sections.size() ?
+                  entry.name :
+                  entry.sections[sections.size()] + "/";
+              if (std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(name);
+            }
+          if (!names.empty())
+            {
+              std::string where;
+              for (const std::string &section : sections)
+                where += (where.empty() ? "" : "/") + section;
+              return (where.empty() ? std::string("at the top level") :
+                                      "in '" + where + "'") +
+                     " there are " + join_names(names);
+            }
+          Assert(!sections.empty(), ExcInternalError());
+          sections.pop_back();
+        }
+    }
+
+
+
+    std::vector<DeclaredEntry>::const_iterator
+    find_declared(const std::vector<DeclaredEntry> &entries,
+                  const Assignment                 &assignment)
+    {
+      return std::find_if(entries.begin(),
+                          entries.end(),
+                          [&assignment](const DeclaredEntry &entry) {
+                            return entry.name == assignment.entry &&
+                                   entry.sections == assignment.sections;
+                          });
+    }
+
+
+
+    // The same assignment to a region of a fault, if it is one to the fault and
+    // the region has such an entry.
+    std::optional<Assignment>
+    inherited_by(const std::string                &fault,
+                 const std::string                &region,
+                 const Assignment                 &assignment,
+                 const std::vector<DeclaredEntry> &entries)
+    {
+      if (assignment.sections != std::vector<std::string>{"Faults", fault})
+        return {};
+      Assignment copy = assignment;
+      copy.sections.insert(copy.sections.end(), {"Regions", region});
+      if (find_declared(entries, copy) == entries.end())
+        return {};
+      return copy;
+    }
+
+
+
+    void
+    apply(ParameterHandler                 &prm,
+          const std::vector<DeclaredEntry> &entries,
+          const Assignment                 &assignment)
+    {
+      const auto declared = find_declared(entries, assignment);
+      if (declared == entries.end())
+        throw InputError(naming(assignment) + ": there is no such entry; " +
+                         alternatives(assignment, entries) + ".");
+
+      for (const std::string &section : assignment.sections)
+        prm.enter_subsection(section);
+      try
+        {
+          prm.set(assignment.entry,
+                  declared->is_field ?
+                    SpatialField::with_absolute_path(assignment.value,
+                                                     assignment.folder) :
+                    assignment.value);
+        }
+      catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
+        {
+          throw InputError(naming(assignment) + ": must be " +
+                           declared->allowed + ".");
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(naming(assignment) +
+                           ": cannot be used: " + error.what());
+        }
+      for (unsigned int i = 0; i < assignment.sections.size(); ++i)
+        prm.leave_subsection();
+    }
+  } // namespace
+
+
+
+  SceneReader::SceneReader(const std::string              &file_name,
+                           const std::vector<std::string> &overrides)
+    : file_name(file_name)
+    , assignments(read_parameter_file(file_name))
+  {
+    for (const std::string &argument : overrides)
+      assignments.push_back(parse_override(argument));
+  }
+
+
+
+  const Assignment *
+  SceneReader::find(const std::string &path) const
+  {
+    const auto last = std::find_if(assignments.rbegin(),
+                                   assignments.rend(),
+                                   [&path](const Assignment &assignment) {
+                                     return assignment.path() == path;
+                                   });
+    return last == assignments.rend() ? nullptr : &*last;
+  }
+
+
+
+  unsigned int
+  SceneReader::dimension() const
+  {
+    const Assignment *const assignment = find("Dimension");
+    if (assignment == nullptr)
+      return 2;
+    if (assignment->value != "2" && assignment->value != "3")
+      throw InputError(naming(*assignment) + ": must be 2 or 3.");
+    return assignment->value == "2" ? 2 : 3;
+  }
+
+
+
+  std::vector<std::string>
+  SceneReader::names(const std::string &path,
+                     const unsigned int words_per_name) const
+  {
+    const Assignment *const assignment = find(path);
+    if (assignment == nullptr)
+      return {};
+
+    const NameList pattern(words_per_name);
+    if (!pattern.match(assignment->value))
+      throw InputError(naming(*assignment) + ": must be " +
+                       pattern.description() + ".");
+
+    const std::vector<std::string> list = NameList::split(assignment->value);
+    for (auto name = list.begin(); name != list.end(); ++name)
+      {
+        if (std::find(list.begin(), name, *name) != name)
+          throw InputError(naming(*assignment) + ": '" + *name +
+                           "' is listed twice; each may be listed once.");
+        if (*name == "Names")
+          throw InputError(naming(*assignment) +
+                           ": 'Names' is an entry; choose another name.");
+      }
+    return list;
+  }
+
+
+
+  template <int dim>
+  BoundaryCondition<dim>
+  SceneReader::named_side(const std::string                      &name,
+                          const std::vector<BodyParameters<dim>> &bodies) const
+  {
+    const std::string context =
+      naming(*find("Boundary conditions/Sides")) + ": '" + name + "' ";
+    const std::size_t space = name.find(' ');
+
+    BoundaryCondition<dim> condition;
+    condition.body = name.substr(0, space);
+    const auto body =
+      std::find_if(bodies.begin(),
+                   bodies.end(),
+                   [&condition](const BodyParameters<dim> &candidate) {
+                     return candidate.name == condition.body;
+                   });
+    if (body == bodies.end())
+      throw InputError(context + "is on no body; the bodies are " +
+                       find("Bodies/Names")->value + ".");
+
+    std::vector<std::string> sides;
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      sides.push_back(side_name<dim>(side));
+    const auto side =
+      std::find(sides.begin(), sides.end(), name.substr(space + 1));
+    if (side == sides.end())
+      throw InputError(context + "is no side; the sides of a body are " +
+                       join_names(sides) + ".");
+    condition.side = side - sides.begin();
+
+    if ((condition.side == 2 * dim - 1 && body + 1 != bodies.end()) ||
+        (condition.side == 2 * dim - 2 && body != bodies.begin()))
+      throw InputError(context +
+                       "is a fault; conditions are allowed on outer sides "
+                       "only.");
+    return condition;
+  }
+
+
+
+  template <int dim>
+  SceneParameters<dim>
+  SceneReader::named_scene() const
+  {
+    SceneParameters<dim> scene;
+    for (const std::string &name : names("Bodies/Names", 1))
+      {
+        scene.bodies.emplace_back();
+        scene.bodies.back().name = name;
+      }
+    if (scene.bodies.empty())
+      throw InputError("'Bodies/Names' = '' (" + file_name +
+                       "): must list the bodies from bottom to top, at least "
+                       "one.");
+
+    for (const std::string &name : names("Faults/Names", 1))
+      {
+        scene.faults.emplace_back();
+        FaultParameters &fault = scene.faults.back();
+        fault.name             = name;
+        for (const std::string &region :
+             names(fault.section() + "/Regions/Names", 1))
+          {
+            fault.regions.emplace_back();
+            fault.regions.back().name = region;
+          }
+      }
+    if (scene.faults.size() + 1 != scene.bodies.size())
+      {
+        const Assignment *const assignment = find("Faults/Names");
+        throw InputError(
+          (assignment != nullptr ? naming(*assignment) :
+                                   "'Faults/Names' = '' (" + file_name + ")") +
+          ": must list one fault between each two neighbouring bodies, " +
+          std::to_string(scene.bodies.size() - 1) + " for the " +
+          std::to_string(scene.bodies.size()) + " of 'Bodies/Names'.");
+      }
+
+    for (const std::string &name : names("Boundary conditions/Sides", 2))
+      scene.boundary_conditions.push_back(named_side<dim>(name, scene.bodies));
+    return scene;
+  }
+
+
+
+  template <int dim>
+  SceneParameters<dim>
+  SceneReader::read() const
+  {
+    Assert(dim == dimension(), ExcDimensionMismatch(dim, dimension()));
+
+    SceneParameters<dim> scene = named_scene<dim>();
+    {
+      ParameterHandler prm;
+      declare_scene(prm, scene);
+      const std::vector<DeclaredEntry> entries = declared_entries(prm);
+      const auto is_of_region = [](const Assignment &assignment) {
+        return assignment.sections.size() > 3 &&
+               assignment.sections[2] == "Regions";
+      };
+      for (const Assignment &assignment : assignments)
+        if (!is_of_region(assignment))
+          apply(prm, entries, assignment);
+      // What a region does not say is as in its fault.
+      for (const FaultParameters &fault : scene.faults)
+        for (const FrictionRegion &region : fault.regions)
+          for (const Assignment &assignment : assignments)
+            if (std::optional<Assignment> inherited =
+                  inherited_by(fault.name, region.name, assignment, entries))
+              apply(prm, entries, *inherited);
+      for (const Assignment &assignment : assignments)
+        if (is_of_region(assignment))
+          apply(prm, entries, assignment);
+    }
+    complete_geometry(scene);
+    if (scene.output.directory.empty())
+      scene.output.directory = (std::filesystem::path("output") /
+                                std::filesystem::path(file_name).stem())
+                                 .string();
+    check_scene(scene);
+    return scene;
+  }
+
+
+
+  template SceneParameters<2>
+  SceneReader::read() const;
+  template SceneParameters<3>
+  SceneReader::read() const;
+} // namespace StickSlip

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
+
+#include <stickslip/scene/side_points.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  namespace
+  {
+    // The corners and the centre of a brick that is flat along one axis.
+    template <int dim>
+    std::vector<Point<dim>>
+    points_of_flat_brick(const Point<dim>  &lower,
+                         const Point<dim>  &upper,
+                         const unsigned int flat_axis)
+    {
+      std::vector<Point<dim>> points;
+      for (unsigned int corner = 0; corner < (1u << dim); ++corner)
+        {
+          if ((corner >> flat_axis) & 1u)
+            continue;
+          Point<dim> point;
+          for (unsigned int axis = 0; axis < dim; ++axis)
+            point[axis] = ((corner >> axis) & 1u) ? upper[axis] : lower[axis];
+          points.push_back(point);
+        }
+      points.emplace_back(0.5 * (lower + upper));
+      return points;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  side_points(const SceneParameters<dim>   &scene,
+              const BoundaryCondition<dim> &condition)
+  {
+    const auto body =
+      std::find_if(scene.bodies.begin(),
+                   scene.bodies.end(),
+                   [&condition](const BodyParameters<dim> &candidate) {
+                     return candidate.name == condition.body;
+                   });
+    Assert(body != scene.bodies.end(), ExcMessage("There is no such body."));
+
+    const unsigned int axis  = condition.side / 2;
+    Point<dim>         lower = body->geometry.lower_corner();
+    Point<dim>         upper = body->geometry.upper_corner();
+    if (condition.side % 2 == 0)
+      upper[axis] = lower[axis];
+    else
+      lower[axis] = upper[axis];
+    std::vector<Point<dim>> points = points_of_flat_brick(lower, upper, axis);
+    for (Point<dim> &point : points)
+      point = body->geometry.sloped(point);
+    return points;
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  body_points(const BodyGeometry<dim> &body)
+  {
+    std::vector<Point<dim>> points;
+    for (unsigned int corner = 0; corner < (1u << dim); ++corner)
+      {
+        Point<dim> point = body.lower_corner();
+        for (unsigned int axis = 0; axis < dim; ++axis)
+          if ((corner >> axis) & 1u)
+            point[axis] = body.upper_corner()[axis];
+        points.push_back(body.sloped(point));
+      }
+    points.push_back(body.sloped(
+      Point<dim>(0.5 * (body.lower_corner() + body.upper_corner()))));
+    return points;
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  fault_points(const BodyGeometry<dim> &below, const BodyGeometry<dim> &above)
+  {
+    Point<dim> lower = above.lower_corner();
+    Point<dim> upper = below.upper_corner();
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      {
+        lower[axis] =
+          std::max(below.lateral_lower[axis], above.lateral_lower[axis]);
+        upper[axis] =
+          std::min(below.lateral_upper[axis], above.lateral_upper[axis]);
+      }
+
+    // The corners and the centre first, which are easier to read in messages.
+    std::vector<Point<dim>> points =
+      points_of_flat_brick(lower, upper, dim - 1);
+    constexpr unsigned int n_intervals = 20;
+    for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1); ++i)
+      {
+        Point<dim> point = lower;
+        for (unsigned int axis = 0, place = i; axis + 1 < dim; ++axis)
+          {
+            point[axis] += (upper[axis] - lower[axis]) *
+                           (place % (n_intervals + 1)) / n_intervals;
+            place /= n_intervals + 1;
+          }
+        points.push_back(point);
+      }
+    return points;
+  }
+
+
+
+  template std::vector<Point<2>>
+  side_points(const SceneParameters<2> &, const BoundaryCondition<2> &);
+  template std::vector<Point<3>>
+  side_points(const SceneParameters<3> &, const BoundaryCondition<3> &);
+  template std::vector<Point<2>>
+  body_points(const BodyGeometry<2> &);
+  template std::vector<Point<3>>
+  body_points(const BodyGeometry<3> &);
+  template std::vector<Point<2>>
+  fault_points(const BodyGeometry<2> &, const BodyGeometry<2> &);
+  template std::vector<Point<3>>
+  fault_points(const BodyGeometry<3> &, const BodyGeometry<3> &);
+} // namespace StickSlip
