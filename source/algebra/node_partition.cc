@@ -109,7 +109,7 @@ namespace StickSlip
 
 
 
-  const MPI_Comm &
+  MPI_Comm
   NodePartition::communicator() const
   {
     return node_partitioner->get_mpi_communicator();

@@ -86,7 +86,9 @@ namespace StickSlip
     unsigned int
     n_components() const;
 
-    const MPI_Comm &
+    /** Processes that share the nodes. By value, as deal.II gives it since 9.5.
+     */
+    MPI_Comm
     communicator() const;
 
     /** The global numbers of the owned nodes. */
