@@ -111,7 +111,7 @@ def check_derivatives(independent):
 
 def main():
     sys.path.insert(0, sys.argv[1])
-    from study import errors, independent, reduced
+    from experiments.accuracy import errors, independent, reduced
 
     failures = [
         *check_errors(errors, reduced),

@@ -23,7 +23,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "contrib"))
 
-from shipped.volume import Volume, volumes
+from experiments.scenes.volume import Volume, volumes
 
 YOUNGS_MODULUS, POISSONS_RATIO, DENSITY = 4.12e7, 0.3, 5000.0
 # Files hold numbers of single precision.

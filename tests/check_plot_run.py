@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Check that contrib/plot_run.py draws a run in the program's formats.
+"""Check that contrib/tools/plot_run.py draws a run in the program's formats.
 
 Usage: check_plot_run.py PLOT_RUN [OUTPUT_DIRECTORY]
 

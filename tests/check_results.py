@@ -158,8 +158,9 @@ def check_spectrum(inner):
 
 def check_quick(contrib, program):
     """All sections of the first seconds, which have no event."""
-    command = [sys.executable, contrib / "results.py", "--quick", "--program", program]
-    run = subprocess.run(command, capture_output=True, text=True)
+    command = [sys.executable, "-m", "experiments.results", "--quick",
+               "--program", program]
+    run = subprocess.run(command, cwd=contrib, capture_output=True, text=True)
     if run.returncode != 0:
         yield f"--quick ends with status {run.returncode}: {run.stderr[-2000:]}"
     for expected in ("| vertices of the mesh | 1,274 | 1,274 | 1,274 |",
@@ -171,10 +172,7 @@ def check_quick(contrib, program):
 def main():
     contrib = pathlib.Path(sys.argv[1]).resolve()
     sys.path.insert(0, str(contrib))
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from published import block, history, inner, layers, ruptures, statistics
+    from experiments.results import block, history, inner, layers, ruptures, statistics
 
     failures = [
         *check_fronts(history, ruptures),

@@ -183,7 +183,7 @@ namespace
 
 namespace
 {
-  /** Expects that waves have the exponent of contrib/sliding_layers.py, within
+  /** Expects that waves have the exponent of contrib/tools/sliding_layers.py, within
    * a hundredth after extrapolation to fine meshes and steps. */
   void
   expect_exponent(const SteadySliding &theory, const Complex expected)
@@ -212,7 +212,7 @@ namespace
 
 TEST(FollowingNormalStress, LetsWavesGrow)
 {
-  // contrib/sliding_layers.py --waves 1
+  // contrib/tools/sliding_layers.py --waves 1
   expect_exponent(sliding_layers(0.6, 0.01), Complex(23.39016, -646.8638));
 }
 
@@ -220,7 +220,7 @@ TEST(FollowingNormalStress, LetsWavesGrow)
 
 TEST(FollowingNormalStress, LetsWavesDecayIfFrictionGrowsFastWithSlipRate)
 {
-  // contrib/sliding_layers.py --waves 1 mu=0.2 a=0.1
+  // contrib/tools/sliding_layers.py --waves 1 mu=0.2 a=0.1
   expect_exponent(sliding_layers(0.2, 0.1), Complex(-1.02375, 449.6241));
 }
 

@@ -1,0 +1,164 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Measure one rate problem on several numbers of processes.
+
+Usage: contrib/scaling [--quick]
+
+Writes
+doc/data/scaling.csv and the tables between the marks in doc/parallel.md; with
+--quick the small problems are measured and shown, and nothing is written. Takes some
+minutes and 3 GiB of memory, with --quick one minute. The machine should have
+nothing else to do.
+"""
+
+import csv
+import dataclasses
+import subprocess
+import sys
+
+from common import csv_file, page, programs
+
+PAGE = programs.PROJECT / "doc/parallel.md"
+DATA = programs.PROJECT / "doc/data/scaling.csv"
+
+
+@dataclasses.dataclass
+class Problem:
+    """A rate problem of the spring slider on some mesh."""
+
+    name: str
+    description: str
+    overrides: dict
+    processes: tuple
+    is_small: bool = True
+    scene: str = "parameters/spring_slider.prm"
+
+
+def bodies(**entries):
+    return {
+        f"Bodies/{body}/{entry.replace('_', ' ')}": value
+        for body in ("lower", "upper")
+        for entry, value in entries.items()
+    }
+
+
+# Half of the fault strength as shear traction; a patch in the middle is as weak
+# as while it nucleates, the rest is stuck.
+NUCLEATING = {
+    "Output/Event start slip rate": "1e-4",
+    "Boundary conditions/upper top/x condition": "traction",
+    "Boundary conditions/upper top/x value": "28e3",
+    "Boundary conditions/upper top/Ramp length": "0",
+    "Faults/fault/Initial state": "if(abs(x) < 0.8, 1e-5, 1e6)",
+    "Time/Initial step": "1e-3",
+}
+PROBLEMS = [
+    Problem(
+        "uniform-1e5",
+        "Cells of one size",
+        bodies(
+            Coarse_cells="12, 2", Refinement_passes="0", Uniform_refinements="5"
+        ),
+        (1, 2, 4, 8, 16),
+    ),
+    Problem(
+        "graded-1e5",
+        "Cells that grow with the distance from the fault",
+        bodies(Coarse_cells="12, 2", Refinement_passes="9"),
+        (1, 2, 4, 8, 16),
+    ),
+    Problem(
+        "blocks-1e5",
+        "Three dimensions, cells of one size",
+        bodies(Refinement_passes="0", Uniform_refinements="2"),
+        (1, 2, 4, 8),
+        scene="contrib/benchmarks/scaling_blocks.prm",
+    ),
+    Problem(
+        "uniform-1e6",
+        "Cells of one size",
+        bodies(
+            Coarse_cells="35, 7", Refinement_passes="0", Uniform_refinements="5"
+        ),
+        (1, 2),
+        is_small=False,
+    ),
+]
+
+
+def measure(problem, n_processes):
+    command = ["mpirun", "-q", "-np", str(n_processes)]
+    command += [str(programs.PROJECT / "build/rate_problem"), problem.scene]
+    command += programs.options(NUCLEATING | problem.overrides)
+    output = subprocess.run(
+        command, cwd=programs.PROJECT, check=True, stdout=subprocess.PIPE, text=True
+    ).stdout
+    (row,) = csv.DictReader(output.splitlines())
+    if row["converged"] != "1":
+        sys.exit(f"{problem.name} on {n_processes}: no convergence")
+    return {"problem": problem.name} | row
+
+
+COLUMNS = [
+    ("processes", "processes", "{:.0f}"),
+    ("tnnmg_iterations", "TNNMG iterations", "{:.0f}"),
+    ("cycles", "cycles", "{:.0f}"),
+    ("equilibrium_iterations", "CG at the start", "{:.0f}"),
+    ("meshes_s", "meshes, s", "{:.2f}"),
+    ("matrices_and_contact_s", "matrices, contact, levels, s", "{:.2f}"),
+    ("contact_s", "new contact mapping, s", "{:.2f}"),
+    ("operator_s", "new step size, s", "{:.4f}"),
+    ("solve_s", "rate problem, s", "{:.3f}"),
+    ("speed-up", "speed-up", "{:.2f}"),
+    ("largest_MiB", "memory of a process, MiB", "{:.0f}"),
+    ("memory", "over that of one", "{:.2f}"),
+]
+
+
+def table(problem, rows):
+    """The rows of one problem, in Markdown."""
+    first = rows[0]
+    yield f"{problem.description}, {int(first['unknowns']):,} unknowns, "
+    yield f"{first['levels']} levels, {int(first['fault_nodes']):,} fault nodes:\n"
+    cells = []
+    for row in rows:
+        values = {key: row[key] for key in row if key != "problem"}
+        values["speed-up"] = float(first["solve_s"]) / float(row["solve_s"])
+        values["memory"] = float(row["largest_MiB"]) / float(first["largest_MiB"])
+        cells.append([form.format(float(values[key])) for key, _, form in COLUMNS])
+    yield "\n" + page.table([title for _, title, _ in COLUMNS], cells)
+
+
+def main():
+    parser = programs.argument_parser(__doc__)
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+
+    measured, text = [], [f"\nMeasured on: {programs.machine()}.\n"]
+    for problem in PROBLEMS:
+        if arguments.quick and not problem.is_small:
+            continue
+        rows = []
+        for n_processes in problem.processes:
+            rows.append(measure(problem, n_processes))
+            print(
+                f"{problem.name} on {n_processes}: "
+                f"{rows[-1]['tnnmg_iterations']} iterations, "
+                f"{rows[-1]['solve_s']} s",
+                flush=True,
+            )
+        measured += rows
+        text += ["\n", *table(problem, rows)]
+
+    if arguments.quick:
+        print("".join(text))
+        return 0
+    csv_file.write(DATA, measured[0].keys(), measured)
+    page.replace_section("tables", "".join(text), PAGE, "contrib/scaling")
+    print(f"{PAGE} and {DATA} are written.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

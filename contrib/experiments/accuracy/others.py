@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""The sections that are no runs of the spring slider."""
+
+import pathlib
+import subprocess
+import tempfile
+
+from common import page, programs
+
+from . import verification
+from .sections import PAGE
+
+
+def verify(quick):
+    """The figures of the tests, into the page; shown only if quick."""
+    with tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
+        text = verification.text(pathlib.Path(folder))
+    if quick:
+        print("\n" + text, flush=True)
+    else:
+        page.replace_section("verification", text, PAGE, "contrib/accuracy")
+
+
+def hard(quick):
+    """The table of hard cases; quick: what they are."""
+    subprocess.run(
+        [programs.PROJECT / "contrib/hard_cases"]
+        + (["--list"] if quick else []),
+        check=True,
+    )
+
+
+SECTIONS = {"verification": verify, "hard": hard}

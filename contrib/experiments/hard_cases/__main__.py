@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Run the hard cases and compare each with a reference.
+
+Usage: contrib/hard_cases [--only TEXT]... [--list] [--dry] [--keep FOLDER]
+                          [--program PROGRAM] [--ringing] [--locking]
+
+Each case is a scene made from the spring slider; its reference is the same scene, solved
+in another way. What no scene can state is taken from a test. Writes
+doc/data/hard_cases.csv and the table in doc/hard_cases.md; with --dry only
+prints. --only takes the cases with that text in their group or name, the rows
+of all others stay. --keep keeps all files of the runs in that folder.
+
+--ringing and --locking print what the other two tables of that page are made
+from.
+
+A case holds if the run reaches its end, or is refused as it should be, if
+the reference does, and if both agree to 1e-5 (see compare.py).
+"""
+
+import pathlib
+import sys
+import tempfile
+import time
+
+from common import csv_file, page, programs
+from common.programs import PROGRAM, PROJECT
+
+from . import compare, friction, locking, ringing, space, stepping, tests
+from .run import run
+from .scene import text
+
+DATA = PROJECT / "doc/data/hard_cases.csv"
+PAGE = PROJECT / "doc/hard_cases.md"
+COLUMNS = "case holds steps iterations error note".split()
+LARGEST_ERROR = 1e-5
+
+
+def measure(program, case, folder):
+    """The row of a case."""
+    result = run(program, text(case.scene), folder / "run", case.timeout)
+    steps = result.number("Steps/accepted")
+    row = {
+        "case": f"{case.group}: {case.name}",
+        "holds": "yes",
+        "steps": f"{steps:.0f}" if steps is not None else "",
+        "iterations": "",
+        "error": "",
+        "note": "",
+    }
+    notes = [case.note] if case.note else []
+    iterations = result.number("Iterations/TNNMG, per accepted step")
+    if iterations and steps:
+        row["iterations"] = f"{iterations:.2f}"
+    rejected = result.number("Steps/rejected")
+    if rejected:
+        notes.append(f"{rejected:.0f} steps rejected")
+    estimate = result.number("Steps/largest estimated error") or 0
+    if case.scene.get("Time/Step size control") == "constant" and estimate > 3e-6:
+        notes.append(f"warns that the estimated error is {estimate:.0e}")
+    if result.message:
+        clear = case.refused and case.refused in result.message
+        row["holds"] = "refused" if clear else "no"
+        notes.append(f"ends with: {result.message}")
+    elif case.refused:
+        row["holds"] = "no"
+        notes.append("should have been refused")
+    else:
+        low, high = compare.slip_rate_range(result)
+        notes.append(f"{low:.0e} to {high:.0e} m/s at the end")
+        if result.events:
+            notes.append(f"{len(result.events)} events")
+        defect = result.number("Energy/missing, over the largest work")
+        if defect is not None:
+            notes.append(f"energy defect {abs(defect):.0e}")
+    if case.reference is not None and not result.message:
+        other = run(program, text(case.scene | case.reference), folder / "reference",
+                    5 * case.timeout)
+        if other.message:
+            notes.append(f"reference ({case.reference_name}): {other.message}")
+            row["holds"] = "unknown"
+        else:
+            slip = min(float(v) for k, v in case.scene.items()
+                       if k.endswith("/Characteristic slip"))
+            error = compare.difference(result, other, slip)
+            row["error"] = f"{error:.0e}"
+            notes.append(f"reference: {case.reference_name}")
+            if not error <= LARGEST_ERROR:
+                row["holds"] = "no"
+    row["note"] = "; ".join(notes)
+    return row
+
+
+def main():
+    parser = programs.argument_parser(__doc__)
+    parser.add_argument("--only", action="append", default=[])
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--dry", action="store_true")
+    parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
+    parser.add_argument("--ringing", action="store_true")
+    parser.add_argument("--locking", action="store_true")
+    arguments = parser.parse_args()
+
+    for asked, what in ((arguments.ringing, ringing), (arguments.locking, locking)):
+        if asked:
+            with tempfile.TemporaryDirectory(prefix="stickslip-hard-") as temporary:
+                what.measure(arguments.program, pathlib.Path(temporary))
+    if arguments.ringing or arguments.locking:
+        return 0
+
+    everything = [*friction.cases(), *stepping.cases(), *space.cases()]
+    names = [f"{case.group}: {case.name}" for case in everything]
+    names += tests.ROWS
+    everything += tests.ROWS.values()
+    rows = {row["case"]: row for row in csv_file.read(DATA) if row["case"] in names}
+    with tempfile.TemporaryDirectory(prefix="stickslip-hard-") as temporary:
+        for number, (name, case) in enumerate(zip(names, everything)):
+            if arguments.only and not any(t in name for t in arguments.only):
+                continue
+            if arguments.list:
+                print(name)
+                continue
+            begin = time.monotonic()
+            folder = (arguments.keep or pathlib.Path(temporary)) / str(number)
+            row = rows[name] = (
+                case(folder)
+                if name in tests.ROWS
+                else measure(arguments.program, case, folder)
+            )
+            print(f"{time.monotonic() - begin:5.1f} s  ",
+                  " | ".join(row.values()), flush=True)
+            if not arguments.dry:
+                csv_file.write(DATA, COLUMNS, [rows[n] for n in names if n in rows])
+    if not arguments.list and not arguments.dry:
+        cells = [
+            [rows[n][column].replace("|", "\\|") for column in COLUMNS]
+            for n in names if n in rows
+        ]
+        page.replace_section(
+            "table", page.table(COLUMNS, cells), PAGE, "contrib/hard_cases"
+        )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
