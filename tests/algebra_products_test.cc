@@ -18,8 +18,7 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  constexpr int dim = 2;
-
+  template <int n_components>
   struct RandomProblem
   {
     std::mt19937                           generator{7};
@@ -27,7 +26,7 @@ namespace
     unsigned int                           n_fine = 40, n_coarse = 15;
     std::vector<GlobalRow>                 rows;
     TransferMatrix                         P;
-    BlockMatrix<dim>                       A;
+    BlockMatrix<n_components>              A;
     NodeMask                               mask;
 
     RandomProblem()
@@ -36,30 +35,30 @@ namespace
       for (auto &row : rows)
         for (unsigned int k = 0; k < 3; ++k)
           row.emplace_back(generator() % n_coarse, number(generator));
-      P = serial_matrix(rows, n_coarse, dim);
+      P = serial_matrix(rows, n_coarse, n_components);
 
       std::vector<std::vector<unsigned int>> couplings(n_fine);
       for (auto &row : couplings)
         for (unsigned int k = 0; k < 6; ++k)
           row.push_back(generator() % n_fine);
-      A = BlockMatrix<dim>(
+      A = BlockMatrix<n_components>(
         std::make_shared<const BlockSparsity>(std::move(couplings)));
       for (double &value : A.values())
         value = number(generator);
 
-      mask = NodeMask(n_fine, dim);
-      mask.mask(3, 1);
+      mask = NodeMask(n_fine, n_components);
+      mask.mask(3, n_components - 1);
       mask.mask_node(7);
       mask.mask(20, 0);
     }
 
-    GalerkinProduct<dim>
+    GalerkinProduct<n_components>
     product() const
     {
-      return GalerkinProduct<dim>(serial_nodes(n_fine, dim),
-                                  A.sparsity(),
-                                  rows,
-                                  complete_index_set(n_coarse));
+      return GalerkinProduct<n_components>(serial_nodes(n_fine, n_components),
+                                           A.sparsity(),
+                                           rows,
+                                           complete_index_set(n_coarse));
     }
   };
 
@@ -89,64 +88,85 @@ namespace
 
 
 
+  template <int n_components>
   FullMatrix<double>
   expand(const TransferMatrix &P)
   {
-    FullMatrix<double> full(P.n_rows() * dim, P.n_columns() * dim);
+    FullMatrix<double> full(P.n_rows() * n_components,
+                            P.n_columns() * n_components);
     for (unsigned int i = 0; i < P.n_rows(); ++i)
       for (unsigned int k = P.matrix().row_start[i];
            k < P.matrix().row_start[i + 1];
            ++k)
-        for (unsigned int c = 0; c < dim; ++c)
-          full(i * dim + c, P.matrix().column[k] * dim + c) =
+        for (unsigned int c = 0; c < n_components; ++c)
+          full(i * n_components + c, P.matrix().column[k] * n_components + c) =
             P.matrix().value[k];
     return full;
   }
 
 
 
+  template <int n_components>
   FullMatrix<double>
-  expand(const BlockMatrix<dim> &A, const NodeMask *mask = nullptr)
+  expand(const BlockMatrix<n_components> &A, const NodeMask *mask = nullptr)
   {
-    FullMatrix<double>   full(A.n_rows() * dim, A.n_rows() * dim);
+    FullMatrix<double>   full(A.n_rows() * n_components,
+                            A.n_rows() * n_components);
     const BlockSparsity &sparsity = A.sparsity();
     for (unsigned int i = 0; i < A.n_rows(); ++i)
       for (unsigned int k = sparsity.row_start[i];
            k < sparsity.row_start[i + 1];
            ++k)
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
             if (!mask || (mask->is_active(i, c) &&
                           mask->is_active(sparsity.column[k], d)))
-              full(i * dim + c, sparsity.column[k] * dim + d) =
-                A.block(k)[c * dim + d];
+              full(i * n_components + c,
+                   sparsity.column[k] * n_components + d) =
+                A.block(k)[c * n_components + d];
     return full;
   }
+
+
+
+  /** Products and matrices with blocks of one to three components. */
+  template <typename Size>
+  class BlockAlgebra : public testing::Test
+  {
+  public:
+    static constexpr int n_components = Size::value;
+  };
+
+  using BlockSizes = testing::Types<std::integral_constant<int, 1>,
+                                    std::integral_constant<int, 2>,
+                                    std::integral_constant<int, 3>>;
+  TYPED_TEST_SUITE(BlockAlgebra, BlockSizes);
 } // namespace
 
 
 
-TEST(GalerkinProduct, EqualsTheLibraryProduct)
+TYPED_TEST(BlockAlgebra, ProductEqualsThatOfTheLibrary)
 {
-  RandomProblem        problem;
-  GalerkinProduct<dim> product = problem.product();
-  BlockMatrix<dim>     coarse(product.coarse_sparsity());
+  constexpr int                 n_components = TestFixture::n_components;
+  RandomProblem<n_components>   problem;
+  GalerkinProduct<n_components> product = problem.product();
+  BlockMatrix<n_components>     coarse(product.coarse_sparsity());
   product.compute(problem.A, problem.mask, coarse);
 
-  const LibraryMatrix A(expand(problem.A, &problem.mask));
-  const LibraryMatrix P(expand(problem.P));
+  const LibraryMatrix A(expand<n_components>(problem.A, &problem.mask));
+  const LibraryMatrix P(expand<n_components>(problem.P));
   // Patterns large enough for whatever the products fill in.
-  const std::vector<double> entries(problem.n_fine * problem.n_coarse * dim *
-                                      dim,
+  const std::vector<double> entries(problem.n_fine * problem.n_coarse *
+                                      n_components * n_components,
                                     1.);
-  const FullMatrix<double>  ones(problem.n_fine * dim,
-                                problem.n_coarse * dim,
+  const FullMatrix<double>  ones(problem.n_fine * n_components,
+                                problem.n_coarse * n_components,
                                 entries.data());
-  LibraryMatrix             AP(ones), PtAP(expand(coarse));
+  LibraryMatrix             AP(ones), PtAP(expand<n_components>(coarse));
   A.matrix.mmult(AP.matrix, P.matrix);
   P.matrix.Tmmult(PtAP.matrix, AP.matrix);
 
-  const FullMatrix<double> ours    = expand(coarse);
+  const FullMatrix<double> ours    = expand<n_components>(coarse);
   double                   largest = 0;
   for (unsigned int i = 0; i < ours.m(); ++i)
     for (unsigned int j = 0; j < ours.n(); ++j)
@@ -159,12 +179,13 @@ TEST(GalerkinProduct, EqualsTheLibraryProduct)
 
 
 
-TEST(GalerkinProduct, SomeRowsEqualThoseOfTheWhole)
+TYPED_TEST(BlockAlgebra, SomeRowsOfProductEqualThoseOfTheWhole)
 {
-  RandomProblem        problem;
-  GalerkinProduct<dim> product = problem.product();
-  BlockMatrix<dim>     whole(product.coarse_sparsity());
-  BlockMatrix<dim>     partial(product.coarse_sparsity());
+  constexpr int                 n_components = TestFixture::n_components;
+  RandomProblem<n_components>   problem;
+  GalerkinProduct<n_components> product = problem.product();
+  BlockMatrix<n_components>     whole(product.coarse_sparsity());
+  BlockMatrix<n_components>     partial(product.coarse_sparsity());
   product.compute(problem.A, problem.mask, whole);
   const std::vector<unsigned int> rows = {0, 4, 11};
   std::vector<bool>               is_selected(problem.n_coarse, false);
@@ -180,28 +201,30 @@ TEST(GalerkinProduct, SomeRowsEqualThoseOfTheWhole)
       for (unsigned int k = sparsity.row_start[i];
            k < sparsity.row_start[i + 1];
            ++k)
-        for (unsigned int c = 0; c < dim * dim; ++c)
+        for (unsigned int c = 0; c < n_components * n_components; ++c)
           EXPECT_EQ(partial.block(k)[c], computed ? whole.block(k)[c] : 0.);
     }
 }
 
 
 
-TEST(TransferMatrix, ProlongationAndRestrictionAreAdjoint)
+TYPED_TEST(BlockAlgebra, ProlongationAndRestrictionAreAdjoint)
 {
-  RandomProblem problem;
-  NodalVector   fine   = serial_nodes(problem.n_fine, dim).make_vector();
-  NodalVector   coarse = serial_nodes(problem.n_coarse, dim).make_vector();
-  NodalVector   image = fine, dual = coarse;
+  constexpr int               n_components = TestFixture::n_components;
+  RandomProblem<n_components> problem;
+  NodalVector fine = serial_nodes(problem.n_fine, n_components).make_vector();
+  NodalVector coarse =
+    serial_nodes(problem.n_coarse, n_components).make_vector();
+  NodalVector image = fine, dual = coarse;
   for (double &value : fine)
     value = problem.number(problem.generator);
   for (double &value : coarse)
     value = problem.number(problem.generator);
-  problem.P.prolongate(image, coarse, dim);
-  problem.P.restrict_to(dual, fine, dim);
+  problem.P.prolongate(image, coarse, n_components);
+  problem.P.restrict_to(dual, fine, n_components);
   EXPECT_NEAR(image * fine, dual * coarse, 1e-12);
 
-  const FullMatrix<double> P = expand(problem.P);
+  const FullMatrix<double> P = expand<n_components>(problem.P);
   for (unsigned int i = 0; i < P.m(); ++i)
     {
       double sum = 0;
@@ -213,20 +236,22 @@ TEST(TransferMatrix, ProlongationAndRestrictionAreAdjoint)
 
 
 
-TEST(BlockMatrix, VmultAndGaussSeidelEqualDenseAlgebra)
+TYPED_TEST(BlockAlgebra, VmultAndGaussSeidelEqualDenseAlgebra)
 {
-  RandomProblem            problem;
-  const FullMatrix<double> A = expand(problem.A);
-  const unsigned int       n = A.m();
-  std::vector<double>      x(n), b(n), y(n), r(n);
+  constexpr int               n_components = TestFixture::n_components;
+  RandomProblem<n_components> problem;
+  const FullMatrix<double>    A = expand<n_components>(problem.A);
+  const unsigned int          n = A.m();
+  std::vector<double>         x(n), b(n), y(n), r(n);
   for (unsigned int i = 0; i < n; ++i)
     {
       x[i] = problem.number(problem.generator);
       b[i] = problem.number(problem.generator);
     }
-  Kernels::vmult<dim>(problem.A.rows(), 0, n / dim, x.data(), y.data());
-  Kernels::residual<dim>(
-    problem.A.rows(), 0, n / dim, b.data(), x.data(), r.data());
+  Kernels::vmult<n_components>(
+    problem.A.rows(), 0, n / n_components, x.data(), y.data());
+  Kernels::residual<n_components>(
+    problem.A.rows(), 0, n / n_components, b.data(), x.data(), r.data());
   for (unsigned int i = 0; i < n; ++i)
     {
       double sum = 0;
@@ -236,24 +261,29 @@ TEST(BlockMatrix, VmultAndGaussSeidelEqualDenseAlgebra)
       EXPECT_NEAR(b[i] - sum, r[i], 1e-14);
     }
 
-  std::vector<double> inverse(n * dim);
+  std::vector<double> inverse(n * n_components);
   for (double &value : inverse)
     value = problem.number(problem.generator);
   std::vector<double> ours = x, dense = x;
-  Kernels::gauss_seidel_forward<dim>(
-    problem.A.rows(), inverse.data(), 0, n / dim, b.data(), ours.data());
-  for (unsigned int i = 0; i < n / dim; ++i)
+  Kernels::gauss_seidel_forward<n_components>(problem.A.rows(),
+                                              inverse.data(),
+                                              0,
+                                              n / n_components,
+                                              b.data(),
+                                              ours.data());
+  for (unsigned int i = 0; i < n / n_components; ++i)
     {
-      double s[dim];
-      for (unsigned int c = 0; c < dim; ++c)
+      double s[n_components];
+      for (unsigned int c = 0; c < n_components; ++c)
         {
-          s[c] = b[i * dim + c];
+          s[c] = b[i * n_components + c];
           for (unsigned int j = 0; j < n; ++j)
-            s[c] -= A(i * dim + c, j) * dense[j];
+            s[c] -= A(i * n_components + c, j) * dense[j];
         }
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          dense[i * dim + c] += inverse[(i * dim + c) * dim + d] * s[d];
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          dense[i * n_components + c] +=
+            inverse[(i * n_components + c) * n_components + d] * s[d];
     }
   for (unsigned int i = 0; i < n; ++i)
     EXPECT_NEAR(ours[i], dense[i], 1e-9 * (1 + std::abs(dense[i])));
@@ -261,11 +291,12 @@ TEST(BlockMatrix, VmultAndGaussSeidelEqualDenseAlgebra)
 
 
 
-TEST(BlockMatrix, LinearCombination)
+TYPED_TEST(BlockAlgebra, LinearCombination)
 {
-  RandomProblem    problem;
-  BlockMatrix<dim> B = problem.A, C = problem.A,
-                   sum(problem.A.shared_sparsity());
+  constexpr int               n_components = TestFixture::n_components;
+  RandomProblem<n_components> problem;
+  BlockMatrix<n_components>   B = problem.A, C = problem.A,
+                            sum(problem.A.shared_sparsity());
   for (double &value : B.values())
     value = problem.number(problem.generator);
   for (double &value : C.values())
@@ -278,14 +309,14 @@ TEST(BlockMatrix, LinearCombination)
                 1e-14);
 
   // Some of the rows.
-  const BlockMatrix<dim> before = sum;
-  const unsigned int     begin = 2, end = sum.n_rows() - 1;
+  const BlockMatrix<n_components> before = sum;
+  const unsigned int              begin = 2, end = sum.n_rows() - 1;
   sum.combine({4.}, {B}, begin, end);
   for (unsigned int i = 0; i < sum.n_rows(); ++i)
     for (unsigned int k = sum.sparsity().row_start[i];
          k < sum.sparsity().row_start[i + 1];
          ++k)
-      for (unsigned int c = 0; c < dim * dim; ++c)
+      for (unsigned int c = 0; c < n_components * n_components; ++c)
         EXPECT_NEAR(sum.block(k)[c],
                     i >= begin && i < end ? 4. * B.block(k)[c] :
                                             before.block(k)[c],

@@ -18,25 +18,25 @@ namespace
    * A symmetric, diagonally dominant block matrix with random couplings, some
    * masked components, and the same as a dense matrix.
    */
-  template <int dim>
+  template <int n_components>
   struct RandomSystem
   {
     static constexpr unsigned int n_nodes = 40;
 
-    std::mt19937                           generator{dim};
+    std::mt19937                           generator{n_components};
     std::uniform_real_distribution<double> number{-1., 1.};
     NodePartition                          nodes;
-    BlockMatrix<dim>                       matrix;
+    BlockMatrix<n_components>              matrix;
     NodeMask                               active;
     FullMatrix<double>                     dense;
 
     RandomSystem()
       : nodes(complete_index_set(n_nodes),
               IndexSet(n_nodes),
-              dim,
+              n_components,
               MPI_COMM_SELF)
-      , active(n_nodes, dim)
-      , dense(n_nodes * dim)
+      , active(n_nodes, n_components)
+      , dense(n_nodes * n_components)
     {
       std::vector<std::vector<unsigned int>> rows(n_nodes);
       for (unsigned int i = 0; i < n_nodes; ++i)
@@ -48,36 +48,37 @@ namespace
             }
       const auto sparsity =
         std::make_shared<const BlockSparsity>(std::move(rows));
-      matrix = BlockMatrix<dim>(sparsity);
+      matrix = BlockMatrix<n_components>(sparsity);
       for (unsigned int i = 0; i < n_nodes; ++i)
         for (unsigned int k = sparsity->row_start[i];
              k < sparsity->row_start[i + 1];
              ++k)
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
               {
-                const unsigned int j   = sparsity->column[k];
-                const unsigned int row = i * dim + c, column = j * dim + d;
+                const unsigned int j      = sparsity->column[k];
+                const unsigned int row    = i * n_components + c,
+                                   column = j * n_components + d;
                 if (column < row)
                   dense(row, column) = dense(column, row);
                 else
                   dense(row, column) =
                     number(generator) + (row == column ? 40. : 0.);
-                matrix.block(k)[c * dim + d] = dense(row, column);
+                matrix.block(k)[c * n_components + d] = dense(row, column);
               }
       for (unsigned int i = 0; i < n_nodes; i += 3)
-        active.mask(i, i % dim);
+        active.mask(i, i % n_components);
       active.mask_node(1);
     }
 
     Vector<double>
     random()
     {
-      Vector<double> x(n_nodes * dim);
+      Vector<double> x(n_nodes * n_components);
       for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (active.is_active(i, c))
-            x(i * dim + c) = number(generator);
+            x(i * n_components + c) = number(generator);
       return x;
     }
 
@@ -90,9 +91,9 @@ namespace
         {
           const unsigned int        i = forward ? step : n_nodes - 1 - step;
           std::vector<unsigned int> components;
-          for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int c = 0; c < n_components; ++c)
             if (active.is_active(i, c))
-              components.push_back(i * dim + c);
+              components.push_back(i * n_components + c);
           const unsigned int n = components.size();
           if (n == 0)
             continue;
@@ -116,14 +117,14 @@ namespace
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
   expect_sweeps_by_definition()
   {
-    RandomSystem<dim> system;
-    const double      precision = 1e3 * std::numeric_limits<Number>::epsilon();
+    RandomSystem<n_components> system;
+    const double precision = 1e3 * std::numeric_limits<Number>::epsilon();
 
-    BlockGaussSeidel<dim, Number> smoother(system.matrix.sparsity());
+    BlockGaussSeidel<n_components, Number> smoother(system.matrix.sparsity());
     for (unsigned int i = 0; i < system.n_nodes; ++i)
       {
         smoother.set_row(i, system.matrix);
@@ -146,11 +147,11 @@ namespace
     const auto expect_residual = [&]() {
       system.dense.residual(r, x, b);
       for (unsigned int i = 0; i < system.n_nodes; ++i)
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (system.active.is_active(i, c))
             {
-              EXPECT_NEAR(residual.local_element(i * dim + c),
-                          r(i * dim + c),
+              EXPECT_NEAR(residual.local_element(i * n_components + c),
+                          r(i * n_components + c),
                           precision);
             }
     };
@@ -181,6 +182,7 @@ namespace
 
 TEST(BlockGaussSeidel, SweepsAreThoseOfTheDefinition)
 {
+  expect_sweeps_by_definition<1, double>();
   expect_sweeps_by_definition<2, double>();
   expect_sweeps_by_definition<3, double>();
 }
@@ -189,6 +191,7 @@ TEST(BlockGaussSeidel, SweepsAreThoseOfTheDefinition)
 
 TEST(BlockGaussSeidel, SinglePrecision)
 {
+  expect_sweeps_by_definition<1, float>();
   expect_sweeps_by_definition<2, float>();
   expect_sweeps_by_definition<3, float>();
 }

@@ -10,7 +10,7 @@ namespace StickSlip
     namespace
     {
       /** s_c -= (sum_j A_ij x_j)_c for one row i. */
-      template <int dim, typename Number>
+      template <int n_components, typename Number>
       inline void
       subtract_row(const BlockRows<Number> &A,
                    const unsigned int       row,
@@ -19,24 +19,25 @@ namespace StickSlip
       {
         // One accumulator for each entry of a block: the products of a block
         // are independent of each other and vectorise.
-        Number sum[dim * dim] = {};
+        Number sum[n_components * n_components] = {};
         for (unsigned int k = A.row_start[row]; k < A.row_start[row + 1]; ++k)
           {
-            const Number *a =
-              A.values + static_cast<unsigned long>(k) * dim * dim;
-            const Number *y = x + static_cast<unsigned long>(A.column[k]) * dim;
-            for (int c = 0; c < dim; ++c)
-              for (int d = 0; d < dim; ++d)
-                sum[c * dim + d] += a[c * dim + d] * y[d];
+            const Number *a = A.values + static_cast<unsigned long>(k) *
+                                           n_components * n_components;
+            const Number *y =
+              x + static_cast<unsigned long>(A.column[k]) * n_components;
+            for (int c = 0; c < n_components; ++c)
+              for (int d = 0; d < n_components; ++d)
+                sum[c * n_components + d] += a[c * n_components + d] * y[d];
           }
-        for (int c = 0; c < dim; ++c)
-          for (int d = 0; d < dim; ++d)
-            s[c] -= sum[c * dim + d];
+        for (int c = 0; c < n_components; ++c)
+          for (int d = 0; d < n_components; ++d)
+            s[c] -= sum[c * n_components + d];
       }
 
 
 
-      template <int dim, typename Number>
+      template <int n_components, typename Number>
       inline void
       relax_row(const BlockRows<Number> &A,
                 const Number            *inverse_diagonal,
@@ -44,21 +45,21 @@ namespace StickSlip
                 const Number            *b,
                 Number                  *x)
       {
-        Number s[dim];
-        for (int c = 0; c < dim; ++c)
-          s[c] = b[i * dim + c];
-        subtract_row<dim>(A, i, x, s);
-        const Number *D =
-          inverse_diagonal + static_cast<unsigned long>(i) * dim * dim;
-        for (int c = 0; c < dim; ++c)
-          for (int d = 0; d < dim; ++d)
-            x[i * dim + c] += D[c * dim + d] * s[d];
+        Number s[n_components];
+        for (int c = 0; c < n_components; ++c)
+          s[c] = b[i * n_components + c];
+        subtract_row<n_components>(A, i, x, s);
+        const Number *D = inverse_diagonal + static_cast<unsigned long>(i) *
+                                               n_components * n_components;
+        for (int c = 0; c < n_components; ++c)
+          for (int d = 0; d < n_components; ++d)
+            x[i * n_components + c] += D[c * n_components + d] * s[d];
       }
     } // namespace
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     vmult(const BlockRows<Number> &A,
           const unsigned int       begin,
@@ -68,16 +69,16 @@ namespace StickSlip
     {
       for (unsigned int i = begin; i < end; ++i)
         {
-          Number s[dim] = {};
-          subtract_row<dim>(A, i, x, s);
-          for (int c = 0; c < dim; ++c)
-            y[i * dim + c] = -s[c];
+          Number s[n_components] = {};
+          subtract_row<n_components>(A, i, x, s);
+          for (int c = 0; c < n_components; ++c)
+            y[i * n_components + c] = -s[c];
         }
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     residual(const BlockRows<Number> &A,
              const unsigned int       begin,
@@ -88,18 +89,18 @@ namespace StickSlip
     {
       for (unsigned int i = begin; i < end; ++i)
         {
-          Number s[dim];
-          for (int c = 0; c < dim; ++c)
-            s[c] = b[i * dim + c];
-          subtract_row<dim>(A, i, x, s);
-          for (int c = 0; c < dim; ++c)
-            r[i * dim + c] = s[c];
+          Number s[n_components];
+          for (int c = 0; c < n_components; ++c)
+            s[c] = b[i * n_components + c];
+          subtract_row<n_components>(A, i, x, s);
+          for (int c = 0; c < n_components; ++c)
+            r[i * n_components + c] = s[c];
         }
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     gauss_seidel_forward(const BlockRows<Number> &A,
                          const Number            *inverse_diagonal,
@@ -109,7 +110,7 @@ namespace StickSlip
                          Number                  *x)
     {
       for (unsigned int i = begin; i < end; ++i)
-        relax_row<dim>(A, inverse_diagonal, i, b, x);
+        relax_row<n_components>(A, inverse_diagonal, i, b, x);
     }
 
 
@@ -141,26 +142,29 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim, Number)                                   \
-  template void vmult<dim, Number>(const BlockRows<Number> &,                \
-                                   const unsigned int,                       \
-                                   const unsigned int,                       \
-                                   const Number *,                           \
-                                   Number *);                                \
-  template void residual<dim, Number>(const BlockRows<Number> &,             \
-                                      const unsigned int,                    \
-                                      const unsigned int,                    \
-                                      const Number *,                        \
-                                      const Number *,                        \
-                                      Number *);                             \
-  template void gauss_seidel_forward<dim, Number>(const BlockRows<Number> &, \
-                                                  const Number *,            \
-                                                  const unsigned int,        \
-                                                  const unsigned int,        \
-                                                  const Number *,            \
-                                                  Number *);
+#define STICKSLIP_INSTANTIATE(n_components, Number)                       \
+  template void vmult<n_components, Number>(const BlockRows<Number> &,    \
+                                            const unsigned int,           \
+                                            const unsigned int,           \
+                                            const Number *,               \
+                                            Number *);                    \
+  template void residual<n_components, Number>(const BlockRows<Number> &, \
+                                               const unsigned int,        \
+                                               const unsigned int,        \
+                                               const Number *,            \
+                                               const Number *,            \
+                                               Number *);                 \
+  template void gauss_seidel_forward<n_components, Number>(               \
+    const BlockRows<Number> &,                                            \
+    const Number *,                                                       \
+    const unsigned int,                                                   \
+    const unsigned int,                                                   \
+    const Number *,                                                       \
+    Number *);
 
+    STICKSLIP_INSTANTIATE(1, float)
     STICKSLIP_INSTANTIATE(2, float)
+    STICKSLIP_INSTANTIATE(1, double)
     STICKSLIP_INSTANTIATE(2, double)
     STICKSLIP_INSTANTIATE(3, float)
     STICKSLIP_INSTANTIATE(3, double)

@@ -110,8 +110,8 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
-  BlockMatrix<dim, Number>::BlockMatrix(
+  template <int n_components, typename Number>
+  BlockMatrix<n_components, Number>::BlockMatrix(
     const std::shared_ptr<const BlockSparsity> &sparsity)
     : pattern(sparsity)
     , entries(sparsity->n_entries() * block_size)
@@ -119,94 +119,96 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   const std::shared_ptr<const BlockSparsity> &
-  BlockMatrix<dim, Number>::shared_sparsity() const
+  BlockMatrix<n_components, Number>::shared_sparsity() const
   {
     return pattern;
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   unsigned int
-  BlockMatrix<dim, Number>::n_rows() const
+  BlockMatrix<n_components, Number>::n_rows() const
   {
     return pattern->n_rows();
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockMatrix<dim, Number>::set_diagonal_block(const unsigned int    row,
-                                               const Tensor<2, dim> &value)
+  BlockMatrix<n_components, Number>::set_diagonal_block(
+    const unsigned int             row,
+    const Tensor<2, n_components> &value)
   {
     Number *values = block(pattern->diagonal[row]);
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        values[c * dim + d] = value[c][d];
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
+        values[c * n_components + d] = value[c][d];
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   AlignedVector<Number> &
-  BlockMatrix<dim, Number>::values()
+  BlockMatrix<n_components, Number>::values()
   {
     return entries;
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   const AlignedVector<Number> &
-  BlockMatrix<dim, Number>::values() const
+  BlockMatrix<n_components, Number>::values() const
   {
     return entries;
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   Kernels::BlockRows<Number>
-  BlockMatrix<dim, Number>::rows() const
+  BlockMatrix<n_components, Number>::rows() const
   {
     return {pattern->row_start.data(), pattern->column.data(), entries.data()};
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockMatrix<dim, Number>::vmult(NodeValues<Number>       &y,
-                                  const NodeValues<Number> &x) const
+  BlockMatrix<n_components, Number>::vmult(NodeValues<Number>       &y,
+                                           const NodeValues<Number> &x) const
   {
     update_ghosts(x);
-    Kernels::vmult<dim>(rows(), 0, n_rows(), x.begin(), y.begin());
+    Kernels::vmult<n_components>(rows(), 0, n_rows(), x.begin(), y.begin());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockMatrix<dim, Number>::residual(NodeValues<Number>       &r,
-                                     const NodeValues<Number> &b,
-                                     const NodeValues<Number> &x) const
+  BlockMatrix<n_components, Number>::residual(NodeValues<Number>       &r,
+                                              const NodeValues<Number> &b,
+                                              const NodeValues<Number> &x) const
   {
     update_ghosts(x);
-    Kernels::residual<dim>(
+    Kernels::residual<n_components>(
       rows(), 0, n_rows(), b.begin(), x.begin(), r.begin());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockMatrix<dim, Number>::combine(const std::vector<double> &coefficients,
-                                    const std::vector<BlockMatrix> &terms,
-                                    const unsigned int              begin,
-                                    const unsigned int              end)
+  BlockMatrix<n_components, Number>::combine(
+    const std::vector<double>      &coefficients,
+    const std::vector<BlockMatrix> &terms,
+    const unsigned int              begin,
+    const unsigned int              end)
   {
     AssertDimension(coefficients.size(), terms.size());
     const std::size_t first = std::size_t(pattern->row_start[begin]),
@@ -227,9 +229,9 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockMatrix<dim, Number>::copy_other_rows(
+  BlockMatrix<n_components, Number>::copy_other_rows(
     const BlockMatrix               &before,
     const std::vector<unsigned int> &changed)
   {
@@ -247,17 +249,19 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   std::size_t
-  BlockMatrix<dim, Number>::memory_consumption() const
+  BlockMatrix<n_components, Number>::memory_consumption() const
   {
     return sizeof(Number) * entries.size();
   }
 
 
 
+  template class BlockMatrix<1, double>;
   template class BlockMatrix<2, double>;
   template class BlockMatrix<3, double>;
+  template class BlockMatrix<1, float>;
   template class BlockMatrix<2, float>;
   template class BlockMatrix<3, float>;
 } // namespace StickSlip

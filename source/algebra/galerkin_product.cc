@@ -88,8 +88,8 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  GalerkinProduct<dim>::GalerkinProduct(
+  template <int n_components>
+  GalerkinProduct<n_components>::GalerkinProduct(
     const NodePartition          &fine_nodes,
     const BlockSparsity          &fine,
     const std::vector<GlobalRow> &prolongation,
@@ -105,7 +105,7 @@ namespace StickSlip
           ghosts.push_back(entry.first);
     nodes    = NodePartition(owned_coarse,
                           make_index_set(owned_coarse.size(), ghosts),
-                          dim,
+                          n_components,
                           communicator);
     transfer = TransferMatrix(prolongation, fine_nodes, nodes);
     std::vector<unsigned int> all_rows(transfer.n_columns());
@@ -124,7 +124,7 @@ namespace StickSlip
         const NodePartition provisional = nodes;
         nodes                           = NodePartition(owned_coarse,
                               make_index_set(owned_coarse.size(), ghosts),
-                              dim,
+                              n_components,
                               communicator);
         transfer = TransferMatrix(prolongation, fine_nodes, nodes);
         std::vector<std::vector<unsigned int>> renumbered(nodes.n_local());
@@ -146,7 +146,8 @@ namespace StickSlip
                                      rows[I].end());
         ghost_sparsity.row_start.push_back(ghost_sparsity.column.size());
       }
-    ghost_values.resize(std::size_t(ghost_sparsity.column.size()) * dim * dim);
+    ghost_values.resize(std::size_t(ghost_sparsity.column.size()) *
+                        n_components * n_components);
     rows.resize(nodes.n_owned());
     sparsity = std::make_shared<const BlockSparsity>(std::move(rows));
     coarse_position.resize(nodes.n_local());
@@ -155,8 +156,8 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  GalerkinProduct<dim>::GalerkinProduct(
+  template <int n_components>
+  GalerkinProduct<n_components>::GalerkinProduct(
     const GalerkinProduct           &before,
     const BlockSparsity             &fine,
     const std::vector<unsigned int> &changed,
@@ -185,31 +186,32 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  GalerkinProduct<dim>::is_update() const
+  GalerkinProduct<n_components>::is_update() const
   {
     return from_before;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   const std::vector<unsigned int> &
-  GalerkinProduct<dim>::updated_rows() const
+  GalerkinProduct<n_components>::updated_rows() const
   {
     return updated;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::update(const BlockMatrix<dim, FineNumber>   &fine,
-                               const NodeMask                       &fine_mask,
-                               const BlockMatrix<dim, CoarseNumber> &before,
-                               BlockMatrix<dim, CoarseNumber>       &coarse)
+  GalerkinProduct<n_components>::update(
+    const BlockMatrix<n_components, FineNumber>   &fine,
+    const NodeMask                                &fine_mask,
+    const BlockMatrix<n_components, CoarseNumber> &before,
+    BlockMatrix<n_components, CoarseNumber>       &coarse)
   {
     coarse.copy_other_rows(before, updated);
     compute_rows(fine, fine_mask, updated, coarse);
@@ -217,9 +219,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  typename GalerkinProduct<dim>::Rows
-  GalerkinProduct<dim>::make_rows(const std::vector<bool> &is_selected) const
+  template <int n_components>
+  typename GalerkinProduct<n_components>::Rows
+  GalerkinProduct<n_components>::make_rows(
+    const std::vector<bool> &is_selected) const
   {
     AssertDimension(is_selected.size(), nodes.n_local());
     Rows rows;
@@ -239,74 +242,77 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   const NodePartition &
-  GalerkinProduct<dim>::coarse_nodes() const
+  GalerkinProduct<n_components>::coarse_nodes() const
   {
     return nodes;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   const TransferMatrix &
-  GalerkinProduct<dim>::prolongation() const
+  GalerkinProduct<n_components>::prolongation() const
   {
     return transfer;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   const std::shared_ptr<const BlockSparsity> &
-  GalerkinProduct<dim>::coarse_sparsity() const
+  GalerkinProduct<n_components>::coarse_sparsity() const
   {
     return sparsity;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute(const BlockMatrix<dim, FineNumber> &fine,
-                                const NodeMask                     &fine_mask,
-                                BlockMatrix<dim, CoarseNumber>     &coarse)
+  GalerkinProduct<n_components>::compute(
+    const BlockMatrix<n_components, FineNumber> &fine,
+    const NodeMask                              &fine_mask,
+    BlockMatrix<n_components, CoarseNumber>     &coarse)
   {
     compute(fine, fine_mask, all, coarse);
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  GalerkinProduct<dim>::select_rows(const std::vector<bool> &is_selected)
+  GalerkinProduct<n_components>::select_rows(
+    const std::vector<bool> &is_selected)
   {
     selected = make_rows(is_selected);
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute_selected_rows(
-    const BlockMatrix<dim, FineNumber> &fine,
-    const NodeMask                     &fine_mask,
-    BlockMatrix<dim, CoarseNumber>     &coarse)
+  GalerkinProduct<n_components>::compute_selected_rows(
+    const BlockMatrix<n_components, FineNumber> &fine,
+    const NodeMask                              &fine_mask,
+    BlockMatrix<n_components, CoarseNumber>     &coarse)
   {
     compute(fine, fine_mask, selected, coarse);
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute(const BlockMatrix<dim, FineNumber> &fine,
-                                const NodeMask                     &fine_mask,
-                                const Rows                         &rows,
-                                BlockMatrix<dim, CoarseNumber>     &coarse)
+  GalerkinProduct<n_components>::compute(
+    const BlockMatrix<n_components, FineNumber> &fine,
+    const NodeMask                              &fine_mask,
+    const Rows                                  &rows,
+    BlockMatrix<n_components, CoarseNumber>     &coarse)
   {
     for (const unsigned int I : rows.owned)
       compute_row(fine, fine_mask, I, *sparsity, I, coarse.values().data());
@@ -317,14 +323,16 @@ namespace StickSlip
                   ghost_sparsity,
                   I - nodes.n_owned(),
                   ghost_values.data());
-    rows.exchange.add_to_owners(ghost_values, coarse.values(), dim * dim);
+    rows.exchange.add_to_owners(ghost_values,
+                                coarse.values(),
+                                n_components * n_components);
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   std::vector<unsigned int>
-  GalerkinProduct<dim>::rows_from(
+  GalerkinProduct<n_components>::rows_from(
     const std::vector<unsigned int> &fine_rows) const
   {
     const auto &P = transfer.matrix();
@@ -333,14 +341,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   template <typename FineNumber, typename CoarseNumber>
   void
-  GalerkinProduct<dim>::compute_rows(
-    const BlockMatrix<dim, FineNumber> &fine,
-    const NodeMask                     &fine_mask,
-    const std::vector<unsigned int>    &coarse_rows,
-    BlockMatrix<dim, CoarseNumber>     &coarse)
+  GalerkinProduct<n_components>::compute_rows(
+    const BlockMatrix<n_components, FineNumber> &fine,
+    const NodeMask                              &fine_mask,
+    const std::vector<unsigned int>             &coarse_rows,
+    BlockMatrix<n_components, CoarseNumber>     &coarse)
   {
     AssertDimension(Utilities::MPI::n_mpi_processes(nodes.communicator()), 1);
     for (const unsigned int I : coarse_rows)
@@ -349,9 +357,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   std::size_t
-  GalerkinProduct<dim>::memory_consumption() const
+  GalerkinProduct<n_components>::memory_consumption() const
   {
     return transfer.memory_consumption() + ghost_sparsity.memory_consumption() +
            sizeof(double) * ghost_values.size();
@@ -359,17 +367,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   template <typename FineNumber, typename TargetNumber>
   void
-  GalerkinProduct<dim>::compute_row(const BlockMatrix<dim, FineNumber> &fine,
-                                    const NodeMask      &fine_mask,
-                                    const unsigned int   I,
-                                    const BlockSparsity &target,
-                                    const unsigned int   target_row,
-                                    TargetNumber        *values)
+  GalerkinProduct<n_components>::compute_row(
+    const BlockMatrix<n_components, FineNumber> &fine,
+    const NodeMask                              &fine_mask,
+    const unsigned int                           I,
+    const BlockSparsity                         &target,
+    const unsigned int                           target_row,
+    TargetNumber                                *values)
   {
-    constexpr unsigned int n  = dim * dim;
+    constexpr unsigned int n  = n_components * n_components;
     const auto            &P  = transfer.matrix();
     const auto            &Pt = transfer.transpose();
     const BlockSparsity   &A  = fine.sparsity();
@@ -392,9 +401,10 @@ namespace StickSlip
       {
         const unsigned int i = Pt.column[k];
         double             weight[n];
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            weight[c * dim + d] = fine_mask.is_active(i, c) ? Pt.value[k] : 0.;
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            weight[c * n_components + d] =
+              fine_mask.is_active(i, c) ? Pt.value[k] : 0.;
         const FineNumber *block = fine.block(A.row_start[i]);
         for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1];
              ++m, block += n)
@@ -432,10 +442,10 @@ namespace StickSlip
         double            *sum = sums + std::size_t(m) * n;
         position[j]            = -1;
         if (!fine_mask.is_fully_active(j))
-          for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int d = 0; d < n_components; ++d)
             if (!fine_mask.is_active(j, d))
-              for (unsigned int c = 0; c < dim; ++c)
-                sum[c * dim + d] = 0.;
+              for (unsigned int c = 0; c < n_components; ++c)
+                sum[c * n_components + d] = 0.;
         for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1]; ++q)
           {
             double      *entry  = result + std::size_t(place[P.column[q]]) * n;
@@ -451,32 +461,36 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE_NUMBERS(dim, FineNumber, CoarseNumber)          \
-  template void GalerkinProduct<dim>::compute<FineNumber, CoarseNumber>(      \
-    const BlockMatrix<dim, FineNumber> &,                                     \
-    const NodeMask &,                                                         \
-    BlockMatrix<dim, CoarseNumber> &);                                        \
+#define STICKSLIP_INSTANTIATE_NUMBERS(n_components, FineNumber, CoarseNumber) \
   template void                                                               \
-  GalerkinProduct<dim>::compute_selected_rows<FineNumber, CoarseNumber>(      \
-    const BlockMatrix<dim, FineNumber> &,                                     \
+  GalerkinProduct<n_components>::compute<FineNumber, CoarseNumber>(           \
+    const BlockMatrix<n_components, FineNumber> &,                            \
     const NodeMask &,                                                         \
-    BlockMatrix<dim, CoarseNumber> &);                                        \
-  template void GalerkinProduct<dim>::compute_rows<FineNumber, CoarseNumber>( \
-    const BlockMatrix<dim, FineNumber> &,                                     \
+    BlockMatrix<n_components, CoarseNumber> &);                               \
+  template void GalerkinProduct<n_components>::compute_selected_rows<         \
+    FineNumber,                                                               \
+    CoarseNumber>(const BlockMatrix<n_components, FineNumber> &,              \
+                  const NodeMask &,                                           \
+                  BlockMatrix<n_components, CoarseNumber> &);                 \
+  template void                                                               \
+  GalerkinProduct<n_components>::compute_rows<FineNumber, CoarseNumber>(      \
+    const BlockMatrix<n_components, FineNumber> &,                            \
     const NodeMask &,                                                         \
     const std::vector<unsigned int> &,                                        \
-    BlockMatrix<dim, CoarseNumber> &);                                        \
-  template void GalerkinProduct<dim>::update<FineNumber, CoarseNumber>(       \
-    const BlockMatrix<dim, FineNumber> &,                                     \
+    BlockMatrix<n_components, CoarseNumber> &);                               \
+  template void                                                               \
+  GalerkinProduct<n_components>::update<FineNumber, CoarseNumber>(            \
+    const BlockMatrix<n_components, FineNumber> &,                            \
     const NodeMask &,                                                         \
-    const BlockMatrix<dim, CoarseNumber> &,                                   \
-    BlockMatrix<dim, CoarseNumber> &);
-#define STICKSLIP_INSTANTIATE(dim)                   \
-  template class GalerkinProduct<dim>;               \
-  STICKSLIP_INSTANTIATE_NUMBERS(dim, double, double) \
-  STICKSLIP_INSTANTIATE_NUMBERS(dim, double, float)  \
-  STICKSLIP_INSTANTIATE_NUMBERS(dim, float, float)
+    const BlockMatrix<n_components, CoarseNumber> &,                          \
+    BlockMatrix<n_components, CoarseNumber> &);
+#define STICKSLIP_INSTANTIATE(n_components)                   \
+  template class GalerkinProduct<n_components>;               \
+  STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, double) \
+  STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, float)  \
+  STICKSLIP_INSTANTIATE_NUMBERS(n_components, float, float)
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

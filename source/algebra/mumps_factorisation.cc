@@ -12,8 +12,8 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  struct MumpsFactorisation<dim>::Implementation
+  template <int n_components>
+  struct MumpsFactorisation<n_components>::Implementation
   {
     /** What MUMPS is asked to do. */
     enum Job
@@ -88,11 +88,11 @@ namespace StickSlip
         for (unsigned int k = source->row_start[i];
              k < source->row_start[i + 1];
              ++k)
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
               {
-                const unsigned int I = i * dim + c,
-                                   J = source->column[k] * dim + d;
+                const unsigned int I = i * n_components + c,
+                                   J = source->column[k] * n_components + d;
                 if (J <= I)
                   {
                     row.push_back(I + 1);
@@ -100,7 +100,7 @@ namespace StickSlip
                   }
               }
       value.resize(row.size());
-      mumps.n   = source->n_rows() * dim;
+      mumps.n   = source->n_rows() * n_components;
       mumps.nnz = value.size();
       mumps.irn = row.data();
       mumps.jcn = column.data();
@@ -108,39 +108,40 @@ namespace StickSlip
     }
 
     void
-    set_values(const BlockMatrix<dim> &matrix, const NodeMask &mask)
+    set_values(const BlockMatrix<n_components> &matrix, const NodeMask &mask)
     {
       double *entry = value.data();
       for (unsigned int i = 0; i < source->n_rows(); ++i)
         for (unsigned int k = source->row_start[i];
              k < source->row_start[i + 1];
              ++k)
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
-              if (source->column[k] * dim + d <= i * dim + c)
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
+              if (source->column[k] * n_components + d <= i * n_components + c)
                 *entry++ = masked_entry(matrix, mask, i, k, c, d);
     }
   };
 
 
 
-  template <int dim>
-  MumpsFactorisation<dim>::MumpsFactorisation(
+  template <int n_components>
+  MumpsFactorisation<n_components>::MumpsFactorisation(
     const std::vector<unsigned int> &retained)
     : implementation(std::make_unique<Implementation>(retained))
   {}
 
 
 
-  template <int dim>
-  MumpsFactorisation<dim>::~MumpsFactorisation() = default;
+  template <int n_components>
+  MumpsFactorisation<n_components>::~MumpsFactorisation() = default;
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  MumpsFactorisation<dim>::set_matrix(const BlockMatrix<dim> &matrix,
-                                      const NodeMask         &mask)
+  MumpsFactorisation<n_components>::set_matrix(
+    const BlockMatrix<n_components> &matrix,
+    const NodeMask                  &mask)
   {
     constexpr int too_little_space[] = {-8, -9};
     constexpr int out_of_memory      = -13;
@@ -188,9 +189,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  MumpsFactorisation<dim>::solve(NodalVector &x, const NodalVector &b)
+  MumpsFactorisation<n_components>::solve(NodalVector &x, const NodalVector &b)
   {
     Implementation &data = *implementation;
     std::copy_n(b.begin(), data.mumps.n, x.begin());
@@ -207,15 +208,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   const std::vector<double> &
-  MumpsFactorisation<dim>::schur_complement() const
+  MumpsFactorisation<n_components>::schur_complement() const
   {
     return implementation->schur;
   }
 
 
 
+  template class MumpsFactorisation<1>;
   template class MumpsFactorisation<2>;
   template class MumpsFactorisation<3>;
 } // namespace StickSlip

@@ -35,8 +35,30 @@ namespace StickSlip
 
 
       /** A sum of products of blocks and vectors of one node. */
-      template <int dim, typename Number>
+      template <int n_components, typename Number>
       class RowSum;
+
+
+
+      template <typename Number>
+      class RowSum<1, Number>
+      {
+      public:
+        inline void
+        add(const Number *block, const Number *y)
+        {
+          sum += *block * *y;
+        }
+
+        inline void
+        get(Number *s) const
+        {
+          *s = sum;
+        }
+
+      private:
+        Number sum = 0;
+      };
 
 
 
@@ -92,60 +114,64 @@ namespace StickSlip
 
 
 
-      template <int dim, typename Number>
+      template <int n_components, typename Number>
       inline void
-      add_row(RowSum<dim, Number>    &sum,
-              const Triangle<Number> &A,
-              const unsigned int      row,
-              const Number           *x)
+      add_row(RowSum<n_components, Number> &sum,
+              const Triangle<Number>       &A,
+              const unsigned int            row,
+              const Number                 *x)
       {
         for (unsigned int k = A.row_start[row]; k < A.row_start[row + 1]; ++k)
-          sum.add(A.values + static_cast<unsigned long>(k) * dim * dim,
-                  x + static_cast<unsigned long>(A.column[k]) * dim);
+          sum.add(A.values +
+                    static_cast<unsigned long>(k) * n_components * n_components,
+                  x + static_cast<unsigned long>(A.column[k]) * n_components);
       }
 
 
 
       /** From the last entry to the first, as memory is read backward. */
-      template <int dim, typename Number>
+      template <int n_components, typename Number>
       inline void
-      add_row_backward(RowSum<dim, Number>    &sum,
-                       const Triangle<Number> &A,
-                       const unsigned int      row,
-                       const Number           *x)
+      add_row_backward(RowSum<n_components, Number> &sum,
+                       const Triangle<Number>       &A,
+                       const unsigned int            row,
+                       const Number                 *x)
       {
         for (unsigned int k = A.row_start[row + 1]; k > A.row_start[row]; --k)
-          sum.add(A.values + static_cast<unsigned long>(k - 1) * dim * dim,
-                  x + static_cast<unsigned long>(A.column[k - 1]) * dim);
+          sum.add(A.values + static_cast<unsigned long>(k - 1) * n_components *
+                               n_components,
+                  x +
+                    static_cast<unsigned long>(A.column[k - 1]) * n_components);
       }
 
 
 
       /** x_i = D_i (b_i - sum) for one row i. */
-      template <int dim, typename Number>
+      template <int n_components, typename Number>
       inline void
-      relax(const RowSum<dim, Number> &sum,
-            const Number              *inverse_diagonal,
-            const unsigned int         i,
-            const Number              *b,
-            Number                    *x)
+      relax(const RowSum<n_components, Number> &sum,
+            const Number                       *inverse_diagonal,
+            const unsigned int                  i,
+            const Number                       *b,
+            Number                             *x)
       {
-        const unsigned long first = static_cast<unsigned long>(i) * dim;
-        Number              s[dim];
+        const unsigned long first =
+          static_cast<unsigned long>(i) * n_components;
+        Number s[n_components];
         sum.get(s);
-        for (int c = 0; c < dim; ++c)
+        for (int c = 0; c < n_components; ++c)
           s[c] = b[first + c] - s[c];
-        RowSum<dim, Number> result;
-        result.add(inverse_diagonal + first * dim, s);
+        RowSum<n_components, Number> result;
+        result.add(inverse_diagonal + first * n_components, s);
         result.get(s);
-        for (int c = 0; c < dim; ++c)
+        for (int c = 0; c < n_components; ++c)
           x[first + c] = s[c];
       }
     } // namespace
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     sweep_from_zero(const Triangle<Number> &lower,
                     const Number           *inverse_diagonal,
@@ -155,7 +181,7 @@ namespace StickSlip
     {
       for (unsigned int i = 0; i < n; ++i)
         {
-          RowSum<dim, Number> sum;
+          RowSum<n_components, Number> sum;
           add_row(sum, lower, i, x);
           relax(sum, inverse_diagonal, i, b, x);
         }
@@ -163,7 +189,7 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     residual_after_sweep(const Triangle<Number> &upper,
                          const unsigned int      n,
@@ -172,18 +198,18 @@ namespace StickSlip
     {
       for (unsigned int i = 0; i < n; ++i)
         {
-          RowSum<dim, Number> sum;
+          RowSum<n_components, Number> sum;
           add_row(sum, upper, i, x);
-          Number s[dim];
+          Number s[n_components];
           sum.get(s);
-          for (int c = 0; c < dim; ++c)
-            r[static_cast<unsigned long>(i) * dim + c] = -s[c];
+          for (int c = 0; c < n_components; ++c)
+            r[static_cast<unsigned long>(i) * n_components + c] = -s[c];
         }
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     sweep_forward(const Triangle<Number> &lower,
                   const Triangle<Number> &upper,
@@ -195,7 +221,7 @@ namespace StickSlip
       for (unsigned int i = 0; i < n; ++i)
         {
           // What depends on the row just done comes last.
-          RowSum<dim, Number> sum;
+          RowSum<n_components, Number> sum;
           add_row(sum, upper, i, x);
           add_row(sum, lower, i, x);
           relax(sum, inverse_diagonal, i, b, x);
@@ -204,7 +230,7 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     sweep_backward(const Triangle<Number> &lower,
                    const Triangle<Number> &upper,
@@ -215,7 +241,7 @@ namespace StickSlip
     {
       for (unsigned int i = n; i-- > 0;)
         {
-          RowSum<dim, Number> sum;
+          RowSum<n_components, Number> sum;
           add_row_backward(sum, lower, i, x);
           add_row_backward(sum, upper, i, x);
           relax(sum, inverse_diagonal, i, b, x);
@@ -224,30 +250,31 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim, Number)                                  \
-  template void sweep_from_zero<dim, Number>(const Triangle<Number> &,      \
-                                             const Number *,                \
-                                             const unsigned int,            \
-                                             const Number *,                \
-                                             Number *);                     \
-  template void residual_after_sweep<dim, Number>(const Triangle<Number> &, \
-                                                  const unsigned int,       \
-                                                  const Number *,           \
-                                                  Number *);                \
-  template void sweep_forward<dim, Number>(const Triangle<Number> &,        \
-                                           const Triangle<Number> &,        \
-                                           const Number *,                  \
-                                           const unsigned int,              \
-                                           const Number *,                  \
-                                           Number *);                       \
-  template void sweep_backward<dim, Number>(const Triangle<Number> &,       \
-                                            const Triangle<Number> &,       \
-                                            const Number *,                 \
-                                            const unsigned int,             \
-                                            const Number *,                 \
-                                            Number *);
+#define STICKSLIP_INSTANTIATE(n_components, Number)                            \
+  template void sweep_from_zero<n_components, Number>(                         \
+    const Triangle<Number> &,                                                  \
+    const Number *,                                                            \
+    const unsigned int,                                                        \
+    const Number *,                                                            \
+    Number *);                                                                 \
+  template void residual_after_sweep<n_components, Number>(                    \
+    const Triangle<Number> &, const unsigned int, const Number *, Number *);   \
+  template void sweep_forward<n_components, Number>(const Triangle<Number> &,  \
+                                                    const Triangle<Number> &,  \
+                                                    const Number *,            \
+                                                    const unsigned int,        \
+                                                    const Number *,            \
+                                                    Number *);                 \
+  template void sweep_backward<n_components, Number>(const Triangle<Number> &, \
+                                                     const Triangle<Number> &, \
+                                                     const Number *,           \
+                                                     const unsigned int,       \
+                                                     const Number *,           \
+                                                     Number *);
 
+    STICKSLIP_INSTANTIATE(1, float)
     STICKSLIP_INSTANTIATE(2, float)
+    STICKSLIP_INSTANTIATE(1, double)
     STICKSLIP_INSTANTIATE(2, double)
     STICKSLIP_INSTANTIATE(3, float)
     STICKSLIP_INSTANTIATE(3, double)

@@ -16,8 +16,8 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  struct TrilinosSystem<dim>::Implementation
+  template <int n_components>
+  struct TrilinosSystem<n_components>::Implementation
   {
     Epetra_MpiComm                    communicator{MPI_COMM_SELF};
     std::unique_ptr<Epetra_CrsMatrix> matrix;
@@ -31,13 +31,13 @@ namespace StickSlip
     reinit(const BlockSparsity &sparsity)
     {
       const unsigned int n = sparsity.n_rows();
-      const Epetra_Map   map(int(n * dim), 0, communicator);
+      const Epetra_Map   map(int(n * n_components), 0, communicator);
       std::vector<int>   row_sizes;
       for (unsigned int i = 0; i < n; ++i)
         row_sizes.insert(row_sizes.end(),
-                         dim,
+                         n_components,
                          (sparsity.row_start[i + 1] - sparsity.row_start[i]) *
-                           dim);
+                           n_components);
       matrix =
         std::make_unique<Epetra_CrsMatrix>(Copy, map, row_sizes.data(), true);
       for (unsigned int i = 0; i < n; ++i)
@@ -46,11 +46,11 @@ namespace StickSlip
           for (unsigned int k = sparsity.row_start[i];
                k < sparsity.row_start[i + 1];
                ++k)
-            for (unsigned int d = 0; d < dim; ++d)
-              columns.push_back(sparsity.column[k] * dim + d);
+            for (unsigned int d = 0; d < n_components; ++d)
+              columns.push_back(sparsity.column[k] * n_components + d);
           const std::vector<double> values(columns.size(), 1.);
-          for (unsigned int c = 0; c < dim; ++c)
-            matrix->InsertGlobalValues(i * dim + c,
+          for (unsigned int c = 0; c < n_components; ++c)
+            matrix->InsertGlobalValues(i * n_components + c,
                                        columns.size(),
                                        values.data(),
                                        columns.data());
@@ -68,22 +68,23 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  TrilinosSystem<dim>::TrilinosSystem()
+  template <int n_components>
+  TrilinosSystem<n_components>::TrilinosSystem()
     : implementation(std::make_unique<Implementation>())
   {}
 
 
 
-  template <int dim>
-  TrilinosSystem<dim>::~TrilinosSystem() = default;
+  template <int n_components>
+  TrilinosSystem<n_components>::~TrilinosSystem() = default;
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  TrilinosSystem<dim>::set_matrix(const BlockMatrix<dim> &matrix,
-                                  const NodeMask         &mask)
+  TrilinosSystem<n_components>::set_matrix(
+    const BlockMatrix<n_components> &matrix,
+    const NodeMask                  &mask)
   {
     const BlockSparsity &sparsity = matrix.sparsity();
     const bool           is_new   = (implementation->source != &sparsity);
@@ -99,45 +100,45 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  TrilinosSystem<dim>::size() const
+  TrilinosSystem<n_components>::size() const
   {
     return implementation->rhs->MyLength();
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   Epetra_RowMatrix &
-  TrilinosSystem<dim>::matrix()
+  TrilinosSystem<n_components>::matrix()
   {
     return *implementation->matrix;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   Epetra_LinearProblem &
-  TrilinosSystem<dim>::problem()
+  TrilinosSystem<n_components>::problem()
   {
     return implementation->problem;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  TrilinosSystem<dim>::set_rhs(const NodalVector &b)
+  TrilinosSystem<n_components>::set_rhs(const NodalVector &b)
   {
     std::copy_n(b.begin(), size(), implementation->rhs->Values());
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  TrilinosSystem<dim>::get_solution(NodalVector &x) const
+  TrilinosSystem<n_components>::get_solution(NodalVector &x) const
   {
     std::copy_n(implementation->solution->Values(), size(), x.begin());
   }
@@ -167,6 +168,7 @@ namespace StickSlip
 
 
 
+  template class TrilinosSystem<1>;
   template class TrilinosSystem<2>;
   template class TrilinosSystem<3>;
 } // namespace StickSlip

@@ -9,8 +9,8 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  struct UmfpackFactorisation<dim>::Implementation
+  template <int n_components>
+  struct UmfpackFactorisation<n_components>::Implementation
   {
     /** Whose sparsity the arrays have; kept alive, so that its address stays
      * its own. */
@@ -56,13 +56,13 @@ namespace StickSlip
       row_start.assign(1, 0);
       column.clear();
       for (unsigned int i = 0; i < source->n_rows(); ++i)
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           {
             for (unsigned int k = source->row_start[i];
                  k < source->row_start[i + 1];
                  ++k)
-              for (unsigned int d = 0; d < dim; ++d)
-                column.push_back(source->column[k] * dim + d);
+              for (unsigned int d = 0; d < n_components; ++d)
+                column.push_back(source->column[k] * n_components + d);
             row_start.push_back(column.size());
           }
       value.resize(column.size());
@@ -71,22 +71,23 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  UmfpackFactorisation<dim>::UmfpackFactorisation()
+  template <int n_components>
+  UmfpackFactorisation<n_components>::UmfpackFactorisation()
     : implementation(std::make_unique<Implementation>())
   {}
 
 
 
-  template <int dim>
-  UmfpackFactorisation<dim>::~UmfpackFactorisation() = default;
+  template <int n_components>
+  UmfpackFactorisation<n_components>::~UmfpackFactorisation() = default;
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  UmfpackFactorisation<dim>::set_matrix(const BlockMatrix<dim> &matrix,
-                                        const NodeMask         &mask)
+  UmfpackFactorisation<n_components>::set_matrix(
+    const BlockMatrix<n_components> &matrix,
+    const NodeMask                  &mask)
   {
     Implementation &data   = *implementation;
     const bool      is_new = (matrix.shared_sparsity() != data.source);
@@ -128,9 +129,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  UmfpackFactorisation<dim>::solve(NodalVector &x, const NodalVector &b)
+  UmfpackFactorisation<n_components>::solve(NodalVector       &x,
+                                            const NodalVector &b)
   {
     const Implementation &data   = *implementation;
     const int             status = umfpack_di_solve(UMFPACK_A,
@@ -148,6 +150,7 @@ namespace StickSlip
 
 
 
+  template class UmfpackFactorisation<1>;
   template class UmfpackFactorisation<2>;
   template class UmfpackFactorisation<3>;
 } // namespace StickSlip

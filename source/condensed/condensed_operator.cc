@@ -11,8 +11,8 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  CondensedEntries<dim>::CondensedEntries(
+  template <int n_components>
+  CondensedEntries<n_components>::CondensedEntries(
     const std::vector<unsigned int> &nodes,
     const NodeMask                  &fixed)
   {
@@ -20,20 +20,20 @@ namespace StickSlip
       {
         of_node.emplace_back();
         of_node.back().fill(numbers::invalid_unsigned_int);
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (fixed.is_active(node, c))
             {
               of_node.back()[c] = positions.size();
-              positions.push_back(node * dim + c);
+              positions.push_back(node * n_components + c);
             }
       }
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  CondensedEntries<dim>::size() const
+  CondensedEntries<n_components>::size() const
   {
     return positions.size();
   }
@@ -43,15 +43,15 @@ namespace StickSlip
   namespace
   {
     /** Calls action(i, j, value) for each entry of the block diagonal H. */
-    template <int dim, typename Action>
+    template <int n_components, typename Action>
     void
-    for_each_entry(const CondensedEntries<dim>       &entries,
-                   const std::vector<Tensor<2, dim>> &H,
-                   const Action                      &action)
+    for_each_entry(const CondensedEntries<n_components>       &entries,
+                   const std::vector<Tensor<2, n_components>> &H,
+                   const Action                               &action)
     {
       for (unsigned int k = 0; k < H.size(); ++k)
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
             {
               const unsigned int i = entries.of_node[k][c],
                                  j = entries.of_node[k][d];
@@ -72,55 +72,56 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  CondensedOperator<dim>::CondensedOperator(
-    const CondensedEntries<dim> &entries)
+  template <int n_components>
+  CondensedOperator<n_components>::CondensedOperator(
+    const CondensedEntries<n_components> &entries)
     : entries(entries)
     , bulk(entries.positions)
   {}
 
 
 
-  template <int dim>
-  CondensedOperator<dim>::~CondensedOperator() = default;
+  template <int n_components>
+  CondensedOperator<n_components>::~CondensedOperator() = default;
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedOperator<dim>::set_matrix(const BlockMatrix<dim> &A,
-                                     const NodeMask         &fixed)
+  CondensedOperator<n_components>::set_matrix(
+    const BlockMatrix<n_components> &A,
+    const NodeMask                  &fixed)
   {
     /** Up to this number of unknowns UMFPACK solves faster than MUMPS. */
     constexpr unsigned int small_size = 20000;
 
     factors.reset();
     bulk.set_matrix(A, fixed);
-    if (A.n_rows() * dim > small_size)
+    if (A.n_rows() * n_components > small_size)
       return;
     NodeMask eliminated = fixed;
     for (const unsigned int position : entries.positions)
-      eliminated.mask(position / dim, position % dim);
+      eliminated.mask(position / n_components, position % n_components);
     if (!small_bulk)
-      small_bulk = std::make_unique<UmfpackFactorisation<dim>>();
+      small_bulk = std::make_unique<UmfpackFactorisation<n_components>>();
     small_bulk->set_matrix(A, eliminated);
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   const double *
-  CondensedOperator<dim>::row(const unsigned int i) const
+  CondensedOperator<n_components>::row(const unsigned int i) const
   {
     return bulk.schur_complement().data() + std::size_t(i) * entries.size();
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedOperator<dim>::vmult(std::vector<double>       &y,
-                                const std::vector<double> &x) const
+  CondensedOperator<n_components>::vmult(std::vector<double>       &y,
+                                         const std::vector<double> &x) const
   {
     const unsigned int n = entries.size();
     y.assign(n, 0.);
@@ -135,9 +136,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedOperator<dim>::solve_eliminated(NodalVector &x, const NodalVector &b)
+  CondensedOperator<n_components>::solve_eliminated(NodalVector       &x,
+                                                    const NodalVector &b)
   {
     if (small_bulk)
       small_bulk->solve(x, b);
@@ -147,12 +149,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedOperator<dim>::solve_linearised(std::vector<double>               &x,
-                                           const std::vector<double>         &r,
-                                           const std::vector<Tensor<2, dim>> &H,
-                                           const std::vector<bool> &active)
+  CondensedOperator<n_components>::solve_linearised(
+    std::vector<double>                        &x,
+    const std::vector<double>                  &r,
+    const std::vector<Tensor<2, n_components>> &H,
+    const std::vector<bool>                    &active)
   {
     if (factors && solve_by_cg(x, r, H, active))
       return;
@@ -162,12 +165,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  CondensedOperator<dim>::solve_by_cg(std::vector<double>               &x,
-                                      const std::vector<double>         &r,
-                                      const std::vector<Tensor<2, dim>> &H,
-                                      const std::vector<bool>           &active)
+  CondensedOperator<n_components>::solve_by_cg(
+    std::vector<double>                        &x,
+    const std::vector<double>                  &r,
+    const std::vector<Tensor<2, n_components>> &H,
+    const std::vector<bool>                    &active)
   {
     constexpr double reduction = 1e-4;
     // Where they take about as long as a factorisation.
@@ -215,10 +219,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedOperator<dim>::factorise(const std::vector<Tensor<2, dim>> &H,
-                                    const std::vector<bool>           &active)
+  CondensedOperator<n_components>::factorise(
+    const std::vector<Tensor<2, n_components>> &H,
+    const std::vector<bool>                    &active)
   {
     const unsigned int n = entries.size();
     if (!factors)
@@ -257,11 +262,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedOperator<dim>::apply_factors(std::vector<double>       &x,
-                                        const std::vector<double> &b,
-                                        const std::vector<bool>   &active) const
+  CondensedOperator<n_components>::apply_factors(
+    std::vector<double>       &x,
+    const std::vector<double> &b,
+    const std::vector<bool>   &active) const
   {
     const unsigned int n = entries.size();
     Vector<double>     values(n);
@@ -275,10 +281,11 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)       \
-  template struct CondensedEntries<dim>; \
-  template class CondensedOperator<dim>;
+#define STICKSLIP_INSTANTIATE(n_components)       \
+  template struct CondensedEntries<n_components>; \
+  template class CondensedOperator<n_components>;
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

@@ -36,17 +36,19 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  CondensedSolver<dim>::Operator::Operator(const CondensedEntries<dim> &entries)
+  template <int n_components>
+  CondensedSolver<n_components>::Operator::Operator(
+    const CondensedEntries<n_components> &entries)
     : condensed(entries)
   {}
 
 
 
-  template <int dim>
-  CondensedSolver<dim>::CondensedSolver(const LevelHierarchy<dim> &hierarchy,
-                                        const TNNMGParameters     &parameters)
-    : NonsmoothSolver<dim>(parameters)
+  template <int n_components>
+  CondensedSolver<n_components>::CondensedSolver(
+    const LevelHierarchy<n_components> &hierarchy,
+    const TNNMGParameters              &parameters)
+    : NonsmoothSolver<n_components>(parameters)
     , hierarchy(hierarchy)
     , entries(hierarchy.finest().nonsmooth_nodes, hierarchy.finest().fixed)
     , prescribed(hierarchy.finest().nodes.make_vector())
@@ -70,9 +72,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedSolver<dim>::find_operator()
+  CondensedSolver<n_components>::find_operator()
   {
     const unsigned long version = hierarchy.operator_version();
     const auto          known   = std::find_if(operators.begin(),
@@ -100,9 +102,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedSolver<dim>::start(const NodalVector &b, const NodalVector &w)
+  CondensedSolver<n_components>::start(const NodalVector &b,
+                                       const NodalVector &w)
   {
     find_operator();
 
@@ -128,17 +131,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   IterationSummary
-  CondensedSolver<dim>::iterate(const NonsmoothFunctional<dim> &functional,
-                                const NodalVector &,
-                                NodalVector &w)
+  CondensedSolver<n_components>::iterate(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector &,
+    NodalVector &w)
   {
-    const unsigned int        n = entries.size();
-    CondensedOperator<dim>   &S = operators.front().condensed;
-    IterationSummary          summary;
-    const std::vector<double> old_values = values_of(w);
-    previous                             = w;
+    const unsigned int               n = entries.size();
+    CondensedOperator<n_components> &S = operators.front().condensed;
+    IterationSummary                 summary;
+    const std::vector<double>        old_values = values_of(w);
+    previous                                    = w;
 
     // Anew each time, so that rounding from a bad start is left behind.
     S.vmult(residual, old_values);
@@ -179,8 +183,8 @@ namespace StickSlip
                                     active);
     std::vector<bool> is_active(n);
     for (unsigned int i = 0; i < n; ++i)
-      is_active[i] = active.is_active(entries.positions[i] / dim,
-                                      entries.positions[i] % dim);
+      is_active[i] = active.is_active(entries.positions[i] / n_components,
+                                      entries.positions[i] % n_components);
     std::vector<double> direction, S_direction;
     S.solve_linearised(direction, values_of(scratch), hessians, is_active);
     S.vmult(S_direction, direction);
@@ -222,40 +226,41 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedSolver<dim>::smooth(const NonsmoothFunctional<dim> &functional,
-                               NodalVector                    &w)
+  CondensedSolver<n_components>::smooth(
+    const NonsmoothFunctional<n_components> &functional,
+    NodalVector                             &w)
   {
-    const unsigned int            n = entries.size();
-    const CondensedOperator<dim> &S = operators.front().condensed;
+    const unsigned int                     n = entries.size();
+    const CondensedOperator<n_components> &S = operators.front().condensed;
     for (unsigned int k = 0; k < functional.nodes().size(); ++k)
       {
         // Moving the part of this node to the left leaves what the minimiser
         // is asked for.
-        const unsigned int    node  = functional.nodes()[k];
-        const Tensor<1, dim>  start = block<dim>(w, node);
-        Tensor<1, dim>        r;
-        std::array<bool, dim> takes_part;
-        for (unsigned int c = 0; c < dim; ++c)
+        const unsigned int             node  = functional.nodes()[k];
+        const Tensor<1, n_components>  start = block<n_components>(w, node);
+        Tensor<1, n_components>        r;
+        std::array<bool, n_components> takes_part;
+        for (unsigned int c = 0; c < n_components; ++c)
           {
             const unsigned int i = entries.of_node[k][c];
             takes_part[c]        = (i != numbers::invalid_unsigned_int);
             if (!takes_part[c])
               continue;
             r[c] = residual[i];
-            for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int d = 0; d < n_components; ++d)
               if (entries.of_node[k][d] != numbers::invalid_unsigned_int)
                 r[c] += diagonal_blocks[k][c][d] * start[d];
           }
-        const Tensor<1, dim> v =
+        const Tensor<1, n_components> v =
           functional.minimise(k, diagonal_blocks[k], r, takes_part, start);
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (takes_part[c] && v[c] != start[c])
             {
-              const double  change            = v[c] - start[c];
-              const double *column            = S.row(entries.of_node[k][c]);
-              w.local_element(node * dim + c) = v[c];
+              const double  change = v[c] - start[c];
+              const double *column = S.row(entries.of_node[k][c]);
+              w.local_element(node * n_components + c) = v[c];
               for (unsigned int i = 0; i < n; ++i)
                 residual[i] -= change * column[i];
             }
@@ -264,9 +269,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedSolver<dim>::finish(const NodalVector &, NodalVector &w)
+  CondensedSolver<n_components>::finish(const NodalVector &, NodalVector &w)
   {
     const std::vector<double> values = values_of(w);
     scratch                          = 0.;
@@ -285,18 +290,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  CondensedSolver<dim>::n_condensed() const
+  CondensedSolver<n_components>::n_condensed() const
   {
     return condensations;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   std::vector<double>
-  CondensedSolver<dim>::values_of(const NodalVector &vector) const
+  CondensedSolver<n_components>::values_of(const NodalVector &vector) const
   {
     std::vector<double> values(entries.size());
     for (unsigned int i = 0; i < values.size(); ++i)
@@ -306,9 +311,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  CondensedSolver<dim>::restrict_to_eliminated(NodalVector &vector) const
+  CondensedSolver<n_components>::restrict_to_eliminated(
+    NodalVector &vector) const
   {
     hierarchy.finest().fixed.apply(vector);
     for (const unsigned int position : entries.positions)
@@ -317,14 +323,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Tensor<2, dim>
-  CondensedSolver<dim>::diagonal_block(const unsigned int k) const
+  template <int n_components>
+  Tensor<2, n_components>
+  CondensedSolver<n_components>::diagonal_block(const unsigned int k) const
   {
-    const CondensedOperator<dim> &S = operators.front().condensed;
-    Tensor<2, dim>                result;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
+    const CondensedOperator<n_components> &S = operators.front().condensed;
+    Tensor<2, n_components>                result;
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
         {
           const unsigned int i = entries.of_node[k][c],
                              j = entries.of_node[k][d];
@@ -338,6 +344,7 @@ namespace StickSlip
 
 
 
+  template class CondensedSolver<1>;
   template class CondensedSolver<2>;
   template class CondensedSolver<3>;
 } // namespace StickSlip

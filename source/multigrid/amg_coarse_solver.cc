@@ -5,17 +5,18 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  AMGCoarseSolver<dim>::AMGCoarseSolver()
+  template <int n_components>
+  AMGCoarseSolver<n_components>::AMGCoarseSolver()
     : cycles(/*n_cycles=*/2)
   {}
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  AMGCoarseSolver<dim>::set_matrix(const BlockMatrix<dim> &matrix,
-                                   const NodeMask         &mask)
+  AMGCoarseSolver<n_components>::set_matrix(
+    const BlockMatrix<n_components> &matrix,
+    const NodeMask                  &mask)
   {
     if (!cycles.set_matrix(matrix, mask))
       throw SingularCoarseMatrix();
@@ -23,15 +24,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  AMGCoarseSolver<dim>::solve(NodalVector &x, const NodalVector &b)
+  AMGCoarseSolver<n_components>::solve(NodalVector &x, const NodalVector &b)
   {
     cycles.vmult(x, b);
   }
 
 
 
+  template class AMGCoarseSolver<1>;
   template class AMGCoarseSolver<2>;
   template class AMGCoarseSolver<3>;
 } // namespace StickSlip

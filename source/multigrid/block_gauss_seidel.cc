@@ -5,8 +5,9 @@
 
 namespace StickSlip
 {
-  template <int dim, typename Number>
-  BlockGaussSeidel<dim, Number>::BlockGaussSeidel(const BlockSparsity &sparsity)
+  template <int n_components, typename Number>
+  BlockGaussSeidel<n_components, Number>::BlockGaussSeidel(
+    const BlockSparsity &sparsity)
     : n_rows(sparsity.n_rows())
   {
     lower.row_start.reserve(n_rows + 1);
@@ -25,40 +26,42 @@ namespace StickSlip
         upper.row_start.push_back(upper.column.size());
       }
     for (Part *part : {&lower, &upper})
-      part->values.resize(std::size_t(part->column.size()) * dim * dim +
+      part->values.resize(std::size_t(part->column.size()) * n_components *
+                            n_components +
                           Kernels::sweep_padding);
-    inverse_diagonal.resize(std::size_t(n_rows) * dim * dim +
+    inverse_diagonal.resize(std::size_t(n_rows) * n_components * n_components +
                             Kernels::sweep_padding);
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   Kernels::Triangle<Number>
-  BlockGaussSeidel<dim, Number>::Part::rows() const
+  BlockGaussSeidel<n_components, Number>::Part::rows() const
   {
     return {row_start.data(), column.data(), values.data()};
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   template <typename OtherNumber>
   void
-  BlockGaussSeidel<dim, Number>::set_row(
-    const unsigned int                   i,
-    const BlockMatrix<dim, OtherNumber> &matrix)
+  BlockGaussSeidel<n_components, Number>::set_row(
+    const unsigned int                            i,
+    const BlockMatrix<n_components, OtherNumber> &matrix)
   {
     const BlockSparsity &sparsity = matrix.sparsity();
     const auto           copy     = [&](Part &part, const unsigned int begin) {
-      Number *target =
-        part.values.data() + std::size_t(part.row_start[i]) * dim * dim;
+      Number *target = part.values.data() + std::size_t(part.row_start[i]) *
+                                              n_components * n_components;
       const unsigned int n = part.row_start[i + 1] - part.row_start[i];
-      for (unsigned int k = 0; k < n; ++k, target += dim * dim)
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            target[Kernels::sweep_position<dim>(c, d)] =
-              matrix.block(begin + k)[c * dim + d];
+      for (unsigned int k = 0; k < n;
+           ++k, target += n_components * n_components)
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            target[Kernels::sweep_position<n_components>(c, d)] =
+              matrix.block(begin + k)[c * n_components + d];
     };
     copy(lower, sparsity.row_start[i]);
     copy(upper, sparsity.diagonal[i] + 1);
@@ -66,113 +69,115 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::set_diagonal(const unsigned int    i,
-                                              const Tensor<2, dim> &block,
-                                              const NodeMask       &active)
+  BlockGaussSeidel<n_components, Number>::set_diagonal(
+    const unsigned int             i,
+    const Tensor<2, n_components> &block,
+    const NodeMask                &active)
   {
     set_inverse_diagonal(i, invert_active(block, active, i));
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::set_inverse_diagonal(
-    const unsigned int    i,
-    const Tensor<2, dim> &inverse)
+  BlockGaussSeidel<n_components, Number>::set_inverse_diagonal(
+    const unsigned int             i,
+    const Tensor<2, n_components> &inverse)
   {
-    Number *target = inverse_diagonal.data() + std::size_t(i) * dim * dim;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        target[Kernels::sweep_position<dim>(c, d)] = inverse[c][d];
+    Number *target =
+      inverse_diagonal.data() + std::size_t(i) * n_components * n_components;
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
+        target[Kernels::sweep_position<n_components>(c, d)] = inverse[c][d];
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::sweep_from_zero(
+  BlockGaussSeidel<n_components, Number>::sweep_from_zero(
     NodeValues<Number>       &x,
     const NodeValues<Number> &b) const
   {
-    Kernels::sweep_from_zero<dim>(
+    Kernels::sweep_from_zero<n_components>(
       lower.rows(), inverse_diagonal.data(), n_rows, b.begin(), x.begin());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::residual_after_first_sweep(
+  BlockGaussSeidel<n_components, Number>::residual_after_first_sweep(
     NodeValues<Number>       &r,
     const NodeValues<Number> &x) const
   {
     update_ghosts(x);
-    Kernels::residual_after_sweep<dim>(upper.rows(),
-                                       n_rows,
-                                       x.begin(),
-                                       r.begin());
+    Kernels::residual_after_sweep<n_components>(upper.rows(),
+                                                n_rows,
+                                                x.begin(),
+                                                r.begin());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::sweep_forward(
+  BlockGaussSeidel<n_components, Number>::sweep_forward(
     NodeValues<Number>       &x,
     NodeValues<Number>       &change,
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
     change = x;
-    Kernels::sweep_forward<dim>(lower.rows(),
-                                upper.rows(),
-                                inverse_diagonal.data(),
-                                n_rows,
-                                b.begin(),
-                                x.begin());
+    Kernels::sweep_forward<n_components>(lower.rows(),
+                                         upper.rows(),
+                                         inverse_diagonal.data(),
+                                         n_rows,
+                                         b.begin(),
+                                         x.begin());
     change.sadd(Number(-1.), Number(1.), x);
     update_ghosts(change);
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::residual_after_sweep(
+  BlockGaussSeidel<n_components, Number>::residual_after_sweep(
     NodeValues<Number>       &r,
     const NodeValues<Number> &change) const
   {
-    Kernels::residual_after_sweep<dim>(upper.rows(),
-                                       n_rows,
-                                       change.begin(),
-                                       r.begin());
+    Kernels::residual_after_sweep<n_components>(upper.rows(),
+                                                n_rows,
+                                                change.begin(),
+                                                r.begin());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  BlockGaussSeidel<dim, Number>::sweep_backward(
+  BlockGaussSeidel<n_components, Number>::sweep_backward(
     NodeValues<Number>       &x,
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    Kernels::sweep_backward<dim>(lower.rows(),
-                                 upper.rows(),
-                                 inverse_diagonal.data(),
-                                 n_rows,
-                                 b.begin(),
-                                 x.begin());
+    Kernels::sweep_backward<n_components>(lower.rows(),
+                                          upper.rows(),
+                                          inverse_diagonal.data(),
+                                          n_rows,
+                                          b.begin(),
+                                          x.begin());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   std::size_t
-  BlockGaussSeidel<dim, Number>::Part::memory_consumption() const
+  BlockGaussSeidel<n_components, Number>::Part::memory_consumption() const
   {
     return sizeof(unsigned int) * (row_start.capacity() + column.capacity()) +
            sizeof(Number) * values.capacity();
@@ -180,9 +185,9 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   std::size_t
-  BlockGaussSeidel<dim, Number>::memory_consumption() const
+  BlockGaussSeidel<n_components, Number>::memory_consumption() const
   {
     return lower.memory_consumption() + upper.memory_consumption() +
            sizeof(Number) * inverse_diagonal.capacity();
@@ -190,24 +195,24 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Tensor<2, dim>
-  invert_active(const Tensor<2, dim> &block,
-                const NodeMask       &active,
-                const unsigned int    node)
+  template <int n_components>
+  Tensor<2, n_components>
+  invert_active(const Tensor<2, n_components> &block,
+                const NodeMask                &active,
+                const unsigned int             node)
   {
     if (active.is_fully_active(node))
       return invert(block);
-    Tensor<2, dim> result = block;
-    for (unsigned int c = 0; c < dim; ++c)
+    Tensor<2, n_components> result = block;
+    for (unsigned int c = 0; c < n_components; ++c)
       if (!active.is_active(node, c))
         {
-          for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int d = 0; d < n_components; ++d)
             result[c][d] = result[d][c] = 0.;
           result[c][c] = 1.;
         }
     result = invert(result);
-    for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int c = 0; c < n_components; ++c)
       if (!active.is_active(node, c))
         result[c][c] = 0.;
     return result;
@@ -215,24 +220,26 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim, Number)                      \
-  template class BlockGaussSeidel<dim, Number>;                 \
-  template void BlockGaussSeidel<dim, Number>::set_row<double>( \
-    const unsigned int, const BlockMatrix<dim, double> &);
+#define STICKSLIP_INSTANTIATE(n_components, Number)                      \
+  template class BlockGaussSeidel<n_components, Number>;                 \
+  template void BlockGaussSeidel<n_components, Number>::set_row<double>( \
+    const unsigned int, const BlockMatrix<n_components, double> &);
 
+  STICKSLIP_INSTANTIATE(1, float)
   STICKSLIP_INSTANTIATE(2, float)
+  STICKSLIP_INSTANTIATE(1, double)
   STICKSLIP_INSTANTIATE(2, double)
   STICKSLIP_INSTANTIATE(3, float)
   STICKSLIP_INSTANTIATE(3, double)
 #undef STICKSLIP_INSTANTIATE
 
-#define STICKSLIP_INSTANTIATE(dim)                                   \
-  template void BlockGaussSeidel<dim, float>::set_row<float>(        \
-    const unsigned int, const BlockMatrix<dim, float> &);            \
-  template Tensor<2, dim> invert_active<dim>(const Tensor<2, dim> &, \
-                                             const NodeMask &,       \
-                                             const unsigned int);
+#define STICKSLIP_INSTANTIATE(n_components)                            \
+  template void BlockGaussSeidel<n_components, float>::set_row<float>( \
+    const unsigned int, const BlockMatrix<n_components, float> &);     \
+  template Tensor<2, n_components> invert_active<n_components>(        \
+    const Tensor<2, n_components> &, const NodeMask &, const unsigned int);
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

@@ -7,19 +7,22 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  std::unique_ptr<CoarseSolver<dim>>
+  template <int n_components>
+  std::unique_ptr<CoarseSolver<n_components>>
   make_coarse_solver(const CoarseSolverType type)
   {
     if (type == CoarseSolverType::amg)
-      return std::make_unique<AMGCoarseSolver<dim>>();
-    return std::make_unique<DirectCoarseSolver<dim>>();
+      return std::make_unique<AMGCoarseSolver<n_components>>();
+    return std::make_unique<DirectCoarseSolver<n_components>>();
   }
 
 
 
+  template class CoarseSolver<1>;
   template class CoarseSolver<2>;
   template class CoarseSolver<3>;
+  template std::unique_ptr<CoarseSolver<1>>
+  make_coarse_solver<1>(const CoarseSolverType);
   template std::unique_ptr<CoarseSolver<2>>
   make_coarse_solver<2>(const CoarseSolverType);
   template std::unique_ptr<CoarseSolver<3>>

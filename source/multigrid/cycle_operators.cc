@@ -10,9 +10,9 @@
 
 namespace StickSlip
 {
-  template <int dim, typename Number>
-  CycleOperators<dim, Number>::CycleOperators(
-    const std::vector<LevelDescription<dim>> &descriptions)
+  template <int n_components, typename Number>
+  CycleOperators<n_components, Number>::CycleOperators(
+    const std::vector<LevelDescription<n_components>> &descriptions)
     : descriptions(descriptions)
     , is_shared(Utilities::MPI::n_mpi_processes(
                   descriptions.back().nodes.communicator()) > 1)
@@ -21,15 +21,15 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  CycleOperators<dim, Number>::set_terms(
-    const std::vector<BlockMatrix<dim>> &finest)
+  CycleOperators<n_components, Number>::set_terms(
+    const std::vector<BlockMatrix<n_components>> &finest)
   {
     for (unsigned int l = 0; l < levels.size(); ++l)
       levels[l].active = descriptions[l].fixed;
     levels.back().smoother =
-      BlockGaussSeidel<dim, Number>(finest.front().sparsity());
+      BlockGaussSeidel<n_components, Number>(finest.front().sparsity());
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
         if (l + 1 == levels.size())
@@ -37,36 +37,36 @@ namespace StickSlip
         else
           compute_coarser_terms(l, levels[l].terms);
         Level &coarse = levels[l - 1];
-        coarse.matrix = BlockMatrix<dim, Number>(
+        coarse.matrix = BlockMatrix<n_components, Number>(
           descriptions[l].to_coarser->coarse_sparsity());
         if (l > 1)
           coarse.smoother =
-            BlockGaussSeidel<dim, Number>(coarse.matrix.sparsity());
+            BlockGaussSeidel<n_components, Number>(coarse.matrix.sparsity());
       }
     if (levels.size() == 1)
       levels.front().matrix =
-        BlockMatrix<dim, Number>(finest.front().shared_sparsity());
+        BlockMatrix<n_components, Number>(finest.front().shared_sparsity());
     if (is_shared)
       find_strips(finest.front().sparsity());
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   template <typename FineNumber>
   void
-  CycleOperators<dim, Number>::compute_coarser_terms(
-    const unsigned int                               l,
-    const std::vector<BlockMatrix<dim, FineNumber>> &fine_terms)
+  CycleOperators<n_components, Number>::compute_coarser_terms(
+    const unsigned int                                        l,
+    const std::vector<BlockMatrix<n_components, FineNumber>> &fine_terms)
   {
-    GalerkinProduct<dim> &product = *descriptions[l].to_coarser;
-    Level                &coarse  = levels[l - 1];
-    const std::vector<BlockMatrix<dim, Number>> before =
+    GalerkinProduct<n_components> &product = *descriptions[l].to_coarser;
+    Level                         &coarse  = levels[l - 1];
+    const std::vector<BlockMatrix<n_components, Number>> before =
       std::move(coarse.terms);
     coarse.terms.clear();
     for (unsigned int k = 0; k < fine_terms.size(); ++k)
       {
-        const BlockMatrix<dim, FineNumber> &term = fine_terms[k];
+        const BlockMatrix<n_components, FineNumber> &term = fine_terms[k];
         coarse.terms.emplace_back(product.coarse_sparsity());
         if (product.is_update() && !before.empty())
           product.update(term,
@@ -80,15 +80,16 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  CycleOperators<dim, Number>::find_strips(const BlockSparsity &sparsity)
+  CycleOperators<n_components, Number>::find_strips(
+    const BlockSparsity &sparsity)
   {
     std::vector<bool> strip = find_strip(descriptions.back(), sparsity);
     for (unsigned int l = levels.size() - 1; l-- > 0;)
       {
-        const LevelDescription<dim> &finer = descriptions[l + 1];
-        strip                              = find_strip(descriptions[l],
+        const LevelDescription<n_components> &finer = descriptions[l + 1];
+        strip = find_strip(descriptions[l],
                            levels[l].matrix.sparsity(),
                            finer,
                            strip);
@@ -102,9 +103,9 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  CycleOperators<dim, Number>::combine_coarse_levels(
+  CycleOperators<n_components, Number>::combine_coarse_levels(
     const std::vector<double> &coefficients)
   {
     for (unsigned int l = 0; l + 1 < levels.size(); ++l)
@@ -126,12 +127,12 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  CycleOperators<dim, Number>::set_finest_row(
-    const BlockMatrix<dim> &A,
-    const unsigned int      i,
-    const Tensor<2, dim>   &inverse_diagonal)
+  CycleOperators<n_components, Number>::set_finest_row(
+    const BlockMatrix<n_components> &A,
+    const unsigned int               i,
+    const Tensor<2, n_components>   &inverse_diagonal)
   {
     levels.back().smoother.set_row(i, A);
     levels.back().smoother.set_inverse_diagonal(i, inverse_diagonal);
@@ -139,21 +140,22 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  CycleOperators<dim, Number>::set_finest_diagonal(const unsigned int    i,
-                                                   const Tensor<2, dim> &block,
-                                                   const NodeMask       &active)
+  CycleOperators<n_components, Number>::set_finest_diagonal(
+    const unsigned int             i,
+    const Tensor<2, n_components> &block,
+    const NodeMask                &active)
   {
     levels.back().smoother.set_diagonal(i, block, active);
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   void
-  CycleOperators<dim, Number>::set_coarse_levels(
-    const BlockMatrix<dim>          &A,
+  CycleOperators<n_components, Number>::set_coarse_levels(
+    const BlockMatrix<n_components> &A,
     const NodeMask                  &active,
     const std::vector<unsigned int> &changed)
   {
@@ -178,14 +180,14 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   template <typename FineNumber>
   void
-  CycleOperators<dim, Number>::set_coarser_level(
-    const unsigned int                  l,
-    const BlockMatrix<dim, FineNumber> &matrix,
-    const NodeMask                     &active,
-    std::vector<unsigned int>          &changed)
+  CycleOperators<n_components, Number>::set_coarser_level(
+    const unsigned int                           l,
+    const BlockMatrix<n_components, FineNumber> &matrix,
+    const NodeMask                              &active,
+    std::vector<unsigned int>                   &changed)
   {
     Level                    &coarse = levels[l - 1];
     std::vector<unsigned int> rows =
@@ -221,17 +223,17 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   template <typename FineNumber>
   std::vector<unsigned int>
-  CycleOperators<dim, Number>::form_coarse_rows(
-    const unsigned int                  l,
-    const BlockMatrix<dim, FineNumber> &matrix,
-    const NodeMask                     &active,
-    const std::vector<unsigned int>    &changed)
+  CycleOperators<n_components, Number>::form_coarse_rows(
+    const unsigned int                           l,
+    const BlockMatrix<n_components, FineNumber> &matrix,
+    const NodeMask                              &active,
+    const std::vector<unsigned int>             &changed)
   {
-    GalerkinProduct<dim> &product = *descriptions[l].to_coarser;
-    Level                &coarse  = levels[l - 1];
+    GalerkinProduct<n_components> &product = *descriptions[l].to_coarser;
+    Level                         &coarse  = levels[l - 1];
     if (is_shared)
       {
         // To agree on rows takes longer than to form them.
@@ -245,9 +247,9 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
-  const BlockGaussSeidel<dim, Number> &
-  CycleOperators<dim, Number>::smoother(const unsigned int l) const
+  template <int n_components, typename Number>
+  const BlockGaussSeidel<n_components, Number> &
+  CycleOperators<n_components, Number>::smoother(const unsigned int l) const
   {
     Assert(l > 0, ExcMessage("The coarsest level is solved, not smoothed."));
     return levels[l].smoother;
@@ -255,27 +257,28 @@ namespace StickSlip
 
 
 
-  template <int dim, typename Number>
-  const BlockMatrix<dim, Number> &
-  CycleOperators<dim, Number>::coarse_matrix(const unsigned int l) const
+  template <int n_components, typename Number>
+  const BlockMatrix<n_components, Number> &
+  CycleOperators<n_components, Number>::coarse_matrix(
+    const unsigned int l) const
   {
     return levels[l].matrix;
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   const NodeMask &
-  CycleOperators<dim, Number>::active(const unsigned int l) const
+  CycleOperators<n_components, Number>::active(const unsigned int l) const
   {
     return levels[l].active;
   }
 
 
 
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   std::size_t
-  CycleOperators<dim, Number>::memory_consumption() const
+  CycleOperators<n_components, Number>::memory_consumption() const
   {
     std::size_t bytes = 0;
     for (const Level &level : levels)
@@ -292,7 +295,9 @@ namespace StickSlip
 
 
 
+  template class CycleOperators<1, float>;
   template class CycleOperators<2, float>;
+  template class CycleOperators<1, double>;
   template class CycleOperators<2, double>;
   template class CycleOperators<3, float>;
   template class CycleOperators<3, double>;

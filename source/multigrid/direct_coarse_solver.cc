@@ -41,20 +41,21 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  DirectCoarseSolver<dim>::DirectCoarseSolver() = default;
+  template <int n_components>
+  DirectCoarseSolver<n_components>::DirectCoarseSolver() = default;
 
 
 
-  template <int dim>
-  DirectCoarseSolver<dim>::~DirectCoarseSolver() = default;
+  template <int n_components>
+  DirectCoarseSolver<n_components>::~DirectCoarseSolver() = default;
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  DirectCoarseSolver<dim>::set_matrix(const BlockMatrix<dim> &matrix,
-                                      const NodeMask         &mask)
+  DirectCoarseSolver<n_components>::set_matrix(
+    const BlockMatrix<n_components> &matrix,
+    const NodeMask                  &mask)
   {
     const SilentErrors silence;
     if (system.set_matrix(matrix, mask))
@@ -69,9 +70,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  DirectCoarseSolver<dim>::solve(NodalVector &x, const NodalVector &b)
+  DirectCoarseSolver<n_components>::solve(NodalVector &x, const NodalVector &b)
   {
     system.set_rhs(b);
     const int error = factorisation->Solve();
@@ -83,6 +84,7 @@ namespace StickSlip
 
 
 
+  template class DirectCoarseSolver<1>;
   template class DirectCoarseSolver<2>;
   template class DirectCoarseSolver<3>;
 } // namespace StickSlip

@@ -33,11 +33,11 @@ namespace StickSlip
 
 
     /** Flag the rows coupled to nonsmooth nodes. */
-    template <int dim>
+    template <int n_components>
     void
-    flag_coupled_rows(NodalVector                 &in_strip,
-                      const LevelDescription<dim> &level,
-                      const BlockSparsity         &sparsity)
+    flag_coupled_rows(NodalVector                          &in_strip,
+                      const LevelDescription<n_components> &level,
+                      const BlockSparsity                  &sparsity)
     {
       NodalVector nonsmooth = flag_vector(level.nodes);
       for (const unsigned int i : level.nonsmooth_nodes)
@@ -55,9 +55,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   std::vector<bool>
-  find_strip(const LevelDescription<dim> &level, const BlockSparsity &sparsity)
+  find_strip(const LevelDescription<n_components> &level,
+             const BlockSparsity                  &sparsity)
   {
     NodalVector in_strip = flag_vector(level.nodes);
     flag_coupled_rows(in_strip, level, sparsity);
@@ -66,12 +67,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   std::vector<bool>
-  find_strip(const LevelDescription<dim> &level,
-             const BlockSparsity         &sparsity,
-             const LevelDescription<dim> &finer,
-             const std::vector<bool>     &finer_strip)
+  find_strip(const LevelDescription<n_components> &level,
+             const BlockSparsity                  &sparsity,
+             const LevelDescription<n_components> &finer,
+             const std::vector<bool>              &finer_strip)
   {
     NodalVector in_strip = flag_vector(level.nodes);
     const auto &Pt       = finer.to_coarser->prolongation().transpose();
@@ -86,26 +87,27 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   NodeMask
-  coarsen_mask(const LevelDescription<dim> &coarse,
-               const LevelDescription<dim> &fine,
-               const NodeMask              &fine_mask)
+  coarsen_mask(const LevelDescription<n_components> &coarse,
+               const LevelDescription<n_components> &fine,
+               const NodeMask                       &fine_mask)
   {
     // How many fine neighbours of the same kind take part.
     NodalVector n_active = coarse.nodes.make_vector();
     const auto &P        = fine.to_coarser->prolongation().matrix();
     for (const unsigned int i : fine.nonsmooth_nodes)
       for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
-        for (unsigned int c = 0; c < dim; ++c)
-          n_active.local_element(P.column[k] * dim + c) +=
+        for (unsigned int c = 0; c < n_components; ++c)
+          n_active.local_element(P.column[k] * n_components + c) +=
             fine_mask.is_active(i, c);
     add_ghosts_to_owners(n_active);
 
     NodeMask mask = coarse.fixed;
     for (const unsigned int I : coarse.nonsmooth_nodes)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (n_active.local_element(I * dim + c) == 0. && mask.is_active(I, c))
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (n_active.local_element(I * n_components + c) == 0. &&
+            mask.is_active(I, c))
           mask.mask(I, c);
     mask.update_ghosts(coarse.nodes);
     return mask;
@@ -113,18 +115,21 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                            \
-  template struct LevelDescription<dim>;                                      \
-  template std::vector<bool> find_strip<dim>(const LevelDescription<dim> &,   \
-                                             const BlockSparsity &);          \
-  template std::vector<bool> find_strip<dim>(const LevelDescription<dim> &,   \
-                                             const BlockSparsity &,           \
-                                             const LevelDescription<dim> &,   \
-                                             const std::vector<bool> &);      \
-  template NodeMask          coarsen_mask<dim>(const LevelDescription<dim> &, \
-                                      const LevelDescription<dim> &, \
-                                      const NodeMask &);
+#define STICKSLIP_INSTANTIATE(n_components)                         \
+  template struct LevelDescription<n_components>;                   \
+  template std::vector<bool> find_strip<n_components>(              \
+    const LevelDescription<n_components> &, const BlockSparsity &); \
+  template std::vector<bool> find_strip<n_components>(              \
+    const LevelDescription<n_components> &,                         \
+    const BlockSparsity &,                                          \
+    const LevelDescription<n_components> &,                         \
+    const std::vector<bool> &);                                     \
+  template NodeMask coarsen_mask<n_components>(                     \
+    const LevelDescription<n_components> &,                         \
+    const LevelDescription<n_components> &,                         \
+    const NodeMask &);
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

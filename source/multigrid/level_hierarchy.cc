@@ -17,11 +17,11 @@ namespace StickSlip
      * the second one. However small they are beside the matrix: they count
      * where a whole fault slides and nothing else holds it. A NaN is not
      * close. */
-    template <int dim>
+    template <int n_components>
     bool
-    is_close(const Tensor<2, dim> &a,
-             const Tensor<2, dim> &b,
-             const double          threshold)
+    is_close(const Tensor<2, n_components> &a,
+             const Tensor<2, n_components> &b,
+             const double                   threshold)
     {
       return (a - b).norm() <= threshold * b.norm();
     }
@@ -29,9 +29,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  LevelHierarchy<dim>::LevelHierarchy(
-    std::vector<LevelDescription<dim>> descriptions)
+  template <int n_components>
+  LevelHierarchy<n_components>::LevelHierarchy(
+    std::vector<LevelDescription<n_components>> descriptions)
     : levels(std::move(descriptions))
   {
     const NodePartition &coarsest = levels.front().nodes;
@@ -42,14 +42,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::set_terms(std::vector<BlockMatrix<dim>> new_terms)
+  LevelHierarchy<n_components>::set_terms(
+    std::vector<BlockMatrix<n_components>> new_terms)
   {
     Assert(!new_terms.empty(), ExcMessage("At least one term is needed."));
     terms = std::move(new_terms);
-    A     = BlockMatrix<dim>(terms.front().shared_sparsity());
-    inverse_diagonals.resize(std::size_t(A.n_rows()) * dim * dim);
+    A     = BlockMatrix<n_components>(terms.front().shared_sparsity());
+    inverse_diagonals.resize(std::size_t(A.n_rows()) * n_components *
+                             n_components);
     current_coefficients.clear();
     versions.clear();
     cycle.reset();
@@ -58,14 +60,15 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::update(std::vector<LevelDescription<dim>> new_levels,
-                              std::vector<BlockMatrix<dim>>      new_terms)
+  LevelHierarchy<n_components>::update(
+    std::vector<LevelDescription<n_components>> new_levels,
+    std::vector<BlockMatrix<n_components>>      new_terms)
   {
     AssertDimension(new_levels.size(), levels.size());
-    levels                              = std::move(new_levels);
-    std::unique_ptr<VCycle<dim>> before = std::move(cycle);
+    levels                                       = std::move(new_levels);
+    std::unique_ptr<VCycle<n_components>> before = std::move(cycle);
     set_terms(std::move(new_terms));
     cycle = std::move(before);
     if (cycle)
@@ -74,18 +77,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  BlockMatrix<dim>
-  LevelHierarchy<dim>::release_term(const unsigned int k)
+  template <int n_components>
+  BlockMatrix<n_components>
+  LevelHierarchy<n_components>::release_term(const unsigned int k)
   {
     return std::move(terms[k]);
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::combine(const std::vector<double> &coefficients)
+  LevelHierarchy<n_components>::combine(const std::vector<double> &coefficients)
   {
     AssertThrow(coefficients.size() == terms.size(),
                 ExcDimensionMismatch(coefficients.size(), terms.size()));
@@ -105,20 +108,21 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::combine_rows(const unsigned int begin,
-                                    const unsigned int end)
+  LevelHierarchy<n_components>::combine_rows(const unsigned int begin,
+                                             const unsigned int end)
   {
     A.combine(current_coefficients, terms, begin, end);
     for (unsigned int i = begin; i < end; ++i)
       {
-        const Tensor<2, dim> inverse =
+        const Tensor<2, n_components> inverse =
           invert_active(A.diagonal_block(i), finest().fixed, i);
-        double *target = &inverse_diagonals[std::size_t(i) * dim * dim];
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            target[c * dim + d] = inverse[c][d];
+        double *target =
+          &inverse_diagonals[std::size_t(i) * n_components * n_components];
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            target[c * n_components + d] = inverse[c][d];
         if (cycle)
           cycle->set_finest_row(A, i, inverse);
       }
@@ -126,9 +130,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::prepare_cycle()
+  LevelHierarchy<n_components>::prepare_cycle()
   {
     cycle = make_v_cycle(precision, levels);
     cycle->set_smoothing_sweeps(sweeps);
@@ -143,22 +147,24 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::forget_linearisation()
+  LevelHierarchy<n_components>::forget_linearisation()
   {
     is_linearised     = false;
     coarse_levels_set = false;
     coarse_active     = finest().fixed;
-    coarse_hessians.assign(finest().nonsmooth_nodes.size(), Tensor<2, dim>());
+    coarse_hessians.assign(finest().nonsmooth_nodes.size(),
+                           Tensor<2, n_components>());
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::linearise(const std::vector<Tensor<2, dim>> &hessians,
-                                 const NodeMask                    &new_active)
+  LevelHierarchy<n_components>::linearise(
+    const std::vector<Tensor<2, n_components>> &hessians,
+    const NodeMask                             &new_active)
   {
     const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
     AssertDimension(hessians.size(), nodes.size());
@@ -187,9 +193,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   std::vector<unsigned int>
-  LevelHierarchy<dim>::outdated_on_coarse_levels(const double threshold) const
+  LevelHierarchy<n_components>::outdated_on_coarse_levels(
+    const double threshold) const
   {
     const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
     std::vector<unsigned int>        outdated;
@@ -202,9 +209,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::linearise_coarse_levels(
+  LevelHierarchy<n_components>::linearise_coarse_levels(
     const std::vector<unsigned int> &outdated)
   {
     const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
@@ -224,7 +231,7 @@ namespace StickSlip
     coarse_active = active;
 
     // A itself stays as it is: H is added for the time of the products.
-    std::vector<Tensor<2, dim>> diagonal(nodes.size());
+    std::vector<Tensor<2, n_components>> diagonal(nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         diagonal[k] = A.diagonal_block(nodes[k]);
@@ -250,9 +257,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  LevelHierarchy<dim>::on_all_processes(const bool condition) const
+  LevelHierarchy<n_components>::on_all_processes(const bool condition) const
   {
     return Utilities::MPI::min(static_cast<int>(condition),
                                finest().nodes.communicator()) != 0;
@@ -260,10 +267,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::vmult_linearised(NodalVector       &y,
-                                        const NodalVector &x) const
+  LevelHierarchy<n_components>::vmult_linearised(NodalVector       &y,
+                                                 const NodalVector &x) const
   {
     A.vmult(y, x);
     add_hessians(y, 1., finest().nonsmooth_nodes, current_hessians, x);
@@ -272,9 +279,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::v_cycle(NodalVector &x, const NodalVector &b)
+  LevelHierarchy<n_components>::v_cycle(NodalVector &x, const NodalVector &b)
   {
     Assert(is_linearised, ExcMessage("linearise() comes first."));
     ++cycle_count;
@@ -283,18 +290,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  const BlockMatrix<dim> &
-  LevelHierarchy<dim>::matrix() const
+  template <int n_components>
+  const BlockMatrix<n_components> &
+  LevelHierarchy<n_components>::matrix() const
   {
     return A;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned long
-  LevelHierarchy<dim>::operator_version() const
+  LevelHierarchy<n_components>::operator_version() const
   {
     const auto version = versions.find(current_coefficients);
     return version == versions.end() ? 0 : version->second;
@@ -302,36 +309,36 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  const BlockMatrix<dim> &
-  LevelHierarchy<dim>::term(const unsigned int k) const
+  template <int n_components>
+  const BlockMatrix<n_components> &
+  LevelHierarchy<n_components>::term(const unsigned int k) const
   {
     return terms[k];
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   const AlignedVector<double> &
-  LevelHierarchy<dim>::inverse_diagonal() const
+  LevelHierarchy<n_components>::inverse_diagonal() const
   {
     return inverse_diagonals;
   }
 
 
 
-  template <int dim>
-  const LevelDescription<dim> &
-  LevelHierarchy<dim>::finest() const
+  template <int n_components>
+  const LevelDescription<n_components> &
+  LevelHierarchy<n_components>::finest() const
   {
     return levels.back();
   }
 
 
 
-  template <int dim>
-  const LevelDescription<dim> &
-  LevelHierarchy<dim>::description(const unsigned int l) const
+  template <int n_components>
+  const LevelDescription<n_components> &
+  LevelHierarchy<n_components>::description(const unsigned int l) const
   {
     AssertIndexRange(l, levels.size());
     return levels[l];
@@ -339,9 +346,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  BlockMatrix<dim>
-  LevelHierarchy<dim>::level_matrix(const unsigned int l) const
+  template <int n_components>
+  BlockMatrix<n_components>
+  LevelHierarchy<n_components>::level_matrix(const unsigned int l) const
   {
     AssertIndexRange(l, levels.size());
     if (l + 1 == levels.size())
@@ -352,27 +359,28 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  LevelHierarchy<dim>::n_levels() const
+  LevelHierarchy<n_components>::n_levels() const
   {
     return levels.size();
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::set_coarse_update_threshold(const double threshold)
+  LevelHierarchy<n_components>::set_coarse_update_threshold(
+    const double threshold)
   {
     coarse_update_threshold = threshold;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::set_coarse_solver(const CoarseSolverType type)
+  LevelHierarchy<n_components>::set_coarse_solver(const CoarseSolverType type)
   {
     if (type == coarse_solver)
       return;
@@ -385,9 +393,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::set_cycle_precision(const CyclePrecision new_precision)
+  LevelHierarchy<n_components>::set_cycle_precision(
+    const CyclePrecision new_precision)
   {
     if (new_precision == precision)
       return;
@@ -398,9 +407,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LevelHierarchy<dim>::set_smoothing_sweeps(const unsigned int n)
+  LevelHierarchy<n_components>::set_smoothing_sweeps(const unsigned int n)
   {
     sweeps = n;
     if (cycle)
@@ -409,23 +418,23 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned long
-  LevelHierarchy<dim>::n_cycles() const
+  LevelHierarchy<n_components>::n_cycles() const
   {
     return cycle_count;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   std::size_t
-  LevelHierarchy<dim>::memory_consumption() const
+  LevelHierarchy<n_components>::memory_consumption() const
   {
     std::size_t bytes = A.memory_consumption() * (1 + terms.size()) +
                         A.sparsity().memory_consumption() +
                         sizeof(double) * inverse_diagonals.size();
-    for (const LevelDescription<dim> &level : levels)
+    for (const LevelDescription<n_components> &level : levels)
       if (level.to_coarser)
         bytes += level.to_coarser->memory_consumption();
     if (cycle)
@@ -435,31 +444,34 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  add_hessians(NodalVector                       &y,
-               const double                       factor,
-               const std::vector<unsigned int>   &nodes,
-               const std::vector<Tensor<2, dim>> &hessians,
-               const NodalVector                 &x)
+  add_hessians(NodalVector                                &y,
+               const double                                factor,
+               const std::vector<unsigned int>            &nodes,
+               const std::vector<Tensor<2, n_components>> &hessians,
+               const NodalVector                          &x)
   {
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          y.local_element(nodes[k] * dim + c) +=
-            factor * hessians[k][c][d] * x.local_element(nodes[k] * dim + d);
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          y.local_element(nodes[k] * n_components + c) +=
+            factor * hessians[k][c][d] *
+            x.local_element(nodes[k] * n_components + d);
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                     \
-  template class LevelHierarchy<dim>;                                  \
-  template void add_hessians<dim>(NodalVector &,                       \
-                                  const double,                        \
-                                  const std::vector<unsigned int> &,   \
-                                  const std::vector<Tensor<2, dim>> &, \
-                                  const NodalVector &);
+#define STICKSLIP_INSTANTIATE(n_components)       \
+  template class LevelHierarchy<n_components>;    \
+  template void add_hessians<n_components>(       \
+    NodalVector &,                                \
+    const double,                                 \
+    const std::vector<unsigned int> &,            \
+    const std::vector<Tensor<2, n_components>> &, \
+    const NodalVector &);
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

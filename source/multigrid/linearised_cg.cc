@@ -5,8 +5,9 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  LinearisedCG<dim>::LinearisedCG(const LevelHierarchy<dim> &hierarchy)
+  template <int n_components>
+  LinearisedCG<n_components>::LinearisedCG(
+    const LevelHierarchy<n_components> &hierarchy)
     : hierarchy(hierarchy)
     , direction(hierarchy.finest().nodes.make_vector())
     , A_direction(direction)
@@ -15,10 +16,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  LinearisedCG<dim>::linearise(const std::vector<Tensor<2, dim>> &new_hessians,
-                               const NodeMask                    &new_active)
+  LinearisedCG<n_components>::linearise(
+    const std::vector<Tensor<2, n_components>> &new_hessians,
+    const NodeMask                             &new_active)
   {
     hessians = new_hessians;
     active   = new_active;
@@ -26,14 +28,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  LinearisedCG<dim>::solve(const Preconditioner &precondition,
-                           const unsigned int    max_steps,
-                           const double          reduction,
-                           NodalVector          &x,
-                           NodalVector          &A_x,
-                           NodalVector          &r)
+  LinearisedCG<n_components>::solve(const Preconditioner &precondition,
+                                    const unsigned int    max_steps,
+                                    const double          reduction,
+                                    NodalVector          &x,
+                                    NodalVector          &A_x,
+                                    NodalVector          &r)
   {
     const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
     x                                      = 0.;
@@ -77,6 +79,7 @@ namespace StickSlip
 
 
 
+  template class LinearisedCG<1>;
   template class LinearisedCG<2>;
   template class LinearisedCG<3>;
 } // namespace StickSlip

@@ -12,8 +12,8 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  SmoothedAggregation<dim>::SmoothedAggregation(
+  template <int n_components>
+  SmoothedAggregation<n_components>::SmoothedAggregation(
     const unsigned int              n_cycles,
     const std::vector<NodalVector> &near_null_space)
     : n_cycles(n_cycles)
@@ -27,24 +27,25 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  SmoothedAggregation<dim>::~SmoothedAggregation() = default;
+  template <int n_components>
+  SmoothedAggregation<n_components>::~SmoothedAggregation() = default;
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  SmoothedAggregation<dim>::is_set() const
+  SmoothedAggregation<n_components>::is_set() const
   {
     return cycles != nullptr;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  SmoothedAggregation<dim>::set_matrix(const BlockMatrix<dim> &matrix,
-                                       const NodeMask         &mask)
+  SmoothedAggregation<n_components>::set_matrix(
+    const BlockMatrix<n_components> &matrix,
+    const NodeMask                  &mask)
   {
     const SilentErrors silence;
     // They refer to the matrix.
@@ -54,7 +55,7 @@ namespace StickSlip
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
     list.set("ML output", 0);
-    list.set("PDE equations", dim);
+    list.set("PDE equations", n_components);
     // As the preconditioner of conjugate gradients must be: symmetric.
     list.set("smoother: type", "symmetric Gauss-Seidel");
     list.set("smoother: sweeps", 1);
@@ -75,9 +76,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  SmoothedAggregation<dim>::vmult(NodalVector &x, const NodalVector &b)
+  SmoothedAggregation<n_components>::vmult(NodalVector &x, const NodalVector &b)
   {
     system.set_rhs(b);
     const int error = cycles->ApplyInverse(*system.problem().GetRHS(),
@@ -88,6 +89,7 @@ namespace StickSlip
 
 
 
+  template class SmoothedAggregation<1>;
   template class SmoothedAggregation<2>;
   template class SmoothedAggregation<3>;
 } // namespace StickSlip

@@ -14,30 +14,31 @@ namespace StickSlip
 {
   namespace
   {
-    template <int dim, typename Number>
-    class VCycleIn : public VCycle<dim>
+    template <int n_components, typename Number>
+    class VCycleIn : public VCycle<n_components>
     {
     public:
-      explicit VCycleIn(const std::vector<LevelDescription<dim>> &descriptions);
+      explicit VCycleIn(
+        const std::vector<LevelDescription<n_components>> &descriptions);
 
       void
-      set_terms(const std::vector<BlockMatrix<dim>> &finest) override;
+      set_terms(const std::vector<BlockMatrix<n_components>> &finest) override;
 
       void
       combine_coarse_levels(const std::vector<double> &coefficients) override;
 
       void
-      set_finest_row(const BlockMatrix<dim> &A,
-                     const unsigned int      i,
-                     const Tensor<2, dim>   &inverse_diagonal) override;
+      set_finest_row(const BlockMatrix<n_components> &A,
+                     const unsigned int               i,
+                     const Tensor<2, n_components> &inverse_diagonal) override;
 
       void
-      set_finest_diagonal(const unsigned int    i,
-                          const Tensor<2, dim> &block,
-                          const NodeMask       &active) override;
+      set_finest_diagonal(const unsigned int             i,
+                          const Tensor<2, n_components> &block,
+                          const NodeMask                &active) override;
 
       void
-      set_coarse_levels(const BlockMatrix<dim>          &A,
+      set_coarse_levels(const BlockMatrix<n_components> &A,
                         const NodeMask                  &active,
                         const std::vector<unsigned int> &changed) override;
 
@@ -46,7 +47,7 @@ namespace StickSlip
             const NodalVector &b,
             const NodeMask    &active) override;
 
-      BlockMatrix<dim>
+      BlockMatrix<n_components>
       coarse_matrix(const unsigned int l) const override;
 
       void
@@ -73,24 +74,25 @@ namespace StickSlip
       void
       solve_coarsest_level();
 
-      const std::vector<LevelDescription<dim>> &descriptions;
-      CycleOperators<dim, Number>               operators;
-      std::vector<Level>                        levels;
+      const std::vector<LevelDescription<n_components>> &descriptions;
+      CycleOperators<n_components, Number>               operators;
+      std::vector<Level>                                 levels;
       /** Only where the coarsest level is. */
-      std::unique_ptr<CoarseSolver<dim>> coarse_solver;
-      NodalVector                        coarsest_solution, coarsest_rhs;
-      unsigned int                       sweeps = 1;
+      std::unique_ptr<CoarseSolver<n_components>> coarse_solver;
+      NodalVector  coarsest_solution, coarsest_rhs;
+      unsigned int sweeps = 1;
     };
 
 
 
-    template <int dim, typename Number>
-    VCycleIn<dim, Number>::VCycleIn(
-      const std::vector<LevelDescription<dim>> &descriptions)
+    template <int n_components, typename Number>
+    VCycleIn<n_components, Number>::VCycleIn(
+      const std::vector<LevelDescription<n_components>> &descriptions)
       : descriptions(descriptions)
       , operators(descriptions)
       , levels(descriptions.size())
-      , coarse_solver(make_coarse_solver<dim>(CoarseSolverType::direct))
+      , coarse_solver(
+          make_coarse_solver<n_components>(CoarseSolverType::direct))
       , coarsest_solution(
           descriptions.front().nodes.template make_vector<double>())
       , coarsest_rhs(coarsest_solution)
@@ -106,19 +108,19 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::set_terms(
-      const std::vector<BlockMatrix<dim>> &finest)
+    VCycleIn<n_components, Number>::set_terms(
+      const std::vector<BlockMatrix<n_components>> &finest)
     {
       operators.set_terms(finest);
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::combine_coarse_levels(
+    VCycleIn<n_components, Number>::combine_coarse_levels(
       const std::vector<double> &coefficients)
     {
       operators.combine_coarse_levels(coefficients);
@@ -126,33 +128,34 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::set_finest_row(
-      const BlockMatrix<dim> &A,
-      const unsigned int      i,
-      const Tensor<2, dim>   &inverse_diagonal)
+    VCycleIn<n_components, Number>::set_finest_row(
+      const BlockMatrix<n_components> &A,
+      const unsigned int               i,
+      const Tensor<2, n_components>   &inverse_diagonal)
     {
       operators.set_finest_row(A, i, inverse_diagonal);
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::set_finest_diagonal(const unsigned int    i,
-                                               const Tensor<2, dim> &block,
-                                               const NodeMask       &active)
+    VCycleIn<n_components, Number>::set_finest_diagonal(
+      const unsigned int             i,
+      const Tensor<2, n_components> &block,
+      const NodeMask                &active)
     {
       operators.set_finest_diagonal(i, block, active);
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::set_coarse_levels(
-      const BlockMatrix<dim>          &A,
+    VCycleIn<n_components, Number>::set_coarse_levels(
+      const BlockMatrix<n_components> &A,
       const NodeMask                  &active,
       const std::vector<unsigned int> &changed)
     {
@@ -162,9 +165,9 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::factorise_coarsest_level()
+    VCycleIn<n_components, Number>::factorise_coarsest_level()
     {
       // One process does this, and all must know how it ended.
       int is_singular = 0;
@@ -184,11 +187,11 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::vmult(NodalVector       &x,
-                                 const NodalVector &b,
-                                 const NodeMask    &active)
+    VCycleIn<n_components, Number>::vmult(NodalVector       &x,
+                                          const NodalVector &b,
+                                          const NodeMask    &active)
     {
       // Single precision has no room for numbers like those of a fault at
       // rest, 1e-40, so the right hand side is scaled.
@@ -215,19 +218,21 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::cycle(const unsigned int l, const NodeMask &active)
+    VCycleIn<n_components, Number>::cycle(const unsigned int l,
+                                          const NodeMask    &active)
     {
       if (l == 0)
         {
           solve_coarsest_level();
           return;
         }
-      Level                               &level    = levels[l];
-      Level                               &coarse   = levels[l - 1];
-      const BlockGaussSeidel<dim, Number> &smoother = operators.smoother(l);
-      const NodeMask       &active_below            = operators.active(l - 1);
+      Level                                        &level  = levels[l];
+      Level                                        &coarse = levels[l - 1];
+      const BlockGaussSeidel<n_components, Number> &smoother =
+        operators.smoother(l);
+      const NodeMask       &active_below = operators.active(l - 1);
       const TransferMatrix &P = descriptions[l].to_coarser->prolongation();
 
       smoother.sweep_from_zero(level.solution, level.rhs);
@@ -243,10 +248,10 @@ namespace StickSlip
         }
       active.apply(level.residual);
 
-      P.restrict_to(coarse.rhs, level.residual, dim);
+      P.restrict_to(coarse.rhs, level.residual, n_components);
       active_below.apply(coarse.rhs);
       cycle(l - 1, active_below);
-      P.prolongate_add(level.solution, coarse.solution, dim);
+      P.prolongate_add(level.solution, coarse.solution, n_components);
       active.apply(level.solution);
 
       for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
@@ -255,9 +260,9 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::solve_coarsest_level()
+    VCycleIn<n_components, Number>::solve_coarsest_level()
     {
       Level &level = levels.front();
       if (operators.coarse_matrix(0).n_rows() > 0)
@@ -271,12 +276,13 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
-    BlockMatrix<dim>
-    VCycleIn<dim, Number>::coarse_matrix(const unsigned int l) const
+    template <int n_components, typename Number>
+    BlockMatrix<n_components>
+    VCycleIn<n_components, Number>::coarse_matrix(const unsigned int l) const
     {
-      const BlockMatrix<dim, Number> &matrix = operators.coarse_matrix(l);
-      BlockMatrix<dim>                result(matrix.shared_sparsity());
+      const BlockMatrix<n_components, Number> &matrix =
+        operators.coarse_matrix(l);
+      BlockMatrix<n_components> result(matrix.shared_sparsity());
       std::copy(matrix.values().begin(),
                 matrix.values().end(),
                 result.values().begin());
@@ -285,27 +291,28 @@ namespace StickSlip
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::set_smoothing_sweeps(const unsigned int n)
+    VCycleIn<n_components, Number>::set_smoothing_sweeps(const unsigned int n)
     {
       sweeps = n;
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
-    VCycleIn<dim, Number>::set_coarse_solver(const CoarseSolverType type)
+    VCycleIn<n_components, Number>::set_coarse_solver(
+      const CoarseSolverType type)
     {
-      coarse_solver = make_coarse_solver<dim>(type);
+      coarse_solver = make_coarse_solver<n_components>(type);
     }
 
 
 
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     std::size_t
-    VCycleIn<dim, Number>::memory_consumption() const
+    VCycleIn<n_components, Number>::memory_consumption() const
     {
       std::size_t bytes = operators.memory_consumption();
       for (const Level &level : levels)
@@ -316,23 +323,25 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  std::unique_ptr<VCycle<dim>>
-  make_v_cycle(const CyclePrecision                      precision,
-               const std::vector<LevelDescription<dim>> &levels)
+  template <int n_components>
+  std::unique_ptr<VCycle<n_components>>
+  make_v_cycle(const CyclePrecision                               precision,
+               const std::vector<LevelDescription<n_components>> &levels)
   {
     if (precision == CyclePrecision::single_precision)
-      return std::make_unique<VCycleIn<dim, float>>(levels);
-    return std::make_unique<VCycleIn<dim, double>>(levels);
+      return std::make_unique<VCycleIn<n_components, float>>(levels);
+    return std::make_unique<VCycleIn<n_components, double>>(levels);
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                         \
-  template class VCycle<dim>;                              \
-  template std::unique_ptr<VCycle<dim>> make_v_cycle<dim>( \
-    const CyclePrecision, const std::vector<LevelDescription<dim>> &);
+#define STICKSLIP_INSTANTIATE(n_components)                                  \
+  template class VCycle<n_components>;                                       \
+  template std::unique_ptr<VCycle<n_components>> make_v_cycle<n_components>( \
+    const CyclePrecision,                                                    \
+    const std::vector<LevelDescription<n_components>> &);
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

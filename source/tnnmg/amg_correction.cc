@@ -5,9 +5,9 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  AMGCorrection<dim>::AMGCorrection(
-    LevelHierarchy<dim>            &hierarchy,
+  template <int n_components>
+  AMGCorrection<n_components>::AMGCorrection(
+    LevelHierarchy<n_components>   &hierarchy,
     const TNNMGParameters          &parameters,
     const std::vector<NodalVector> &near_null_space)
     : hierarchy(hierarchy)
@@ -18,10 +18,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  AMGCorrection<dim>::is_close(const std::vector<Tensor<2, dim>> &new_hessians,
-                               const NodeMask &new_active) const
+  AMGCorrection<n_components>::is_close(
+    const std::vector<Tensor<2, n_components>> &new_hessians,
+    const NodeMask                             &new_active) const
   {
     if (!cycles.is_set() || version != hierarchy.operator_version() ||
         !active.is_equal(new_active, hierarchy.finest().nodes.n_owned()))
@@ -43,10 +44,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  AMGCorrection<dim>::linearise(const std::vector<Tensor<2, dim>> &new_hessians,
-                                const NodeMask                    &new_active)
+  AMGCorrection<n_components>::linearise(
+    const std::vector<Tensor<2, n_components>> &new_hessians,
+    const NodeMask                             &new_active)
   {
     cg.linearise(new_hessians, new_active);
     if (is_close(new_hessians, new_active))
@@ -61,9 +63,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  AMGCorrection<dim>::solve(NodalVector &x, NodalVector &A_x, NodalVector &r)
+  AMGCorrection<n_components>::solve(NodalVector &x,
+                                     NodalVector &A_x,
+                                     NodalVector &r)
   {
     constexpr unsigned int max_steps = 200;
 
@@ -81,6 +85,7 @@ namespace StickSlip
 
 
 
+  template class AMGCorrection<1>;
   template class AMGCorrection<2>;
   template class AMGCorrection<3>;
 } // namespace StickSlip

@@ -5,21 +5,21 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  DirectCorrection<dim>::DirectCorrection(
-    LevelHierarchy<dim>                      &hierarchy,
-    std::unique_ptr<SparseFactorisation<dim>> factorisation)
+  template <int n_components>
+  DirectCorrection<n_components>::DirectCorrection(
+    LevelHierarchy<n_components>                      &hierarchy,
+    std::unique_ptr<SparseFactorisation<n_components>> factorisation)
     : hierarchy(hierarchy)
     , factorisation(std::move(factorisation))
   {}
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  DirectCorrection<dim>::linearise(
-    const std::vector<Tensor<2, dim>> &new_hessians,
-    const NodeMask                    &new_active)
+  DirectCorrection<n_components>::linearise(
+    const std::vector<Tensor<2, n_components>> &new_hessians,
+    const NodeMask                             &new_active)
   {
     if (is_factorised && version == hierarchy.operator_version() &&
         hessians == new_hessians &&
@@ -36,9 +36,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  DirectCorrection<dim>::solve(NodalVector &x, NodalVector &A_x, NodalVector &r)
+  DirectCorrection<n_components>::solve(NodalVector &x,
+                                        NodalVector &A_x,
+                                        NodalVector &r)
   {
     factorisation->solve(x, r);
     active.apply(x);
@@ -48,6 +50,7 @@ namespace StickSlip
 
 
 
+  template class DirectCorrection<1>;
   template class DirectCorrection<2>;
   template class DirectCorrection<3>;
 } // namespace StickSlip

@@ -25,119 +25,122 @@ namespace StickSlip
      * correction; without it, nodes that slide are left to the nonlinear
      * smoother alone.
      */
-    template <int dim>
+    template <int n_components>
     bool
-    is_moderate(const NonsmoothFunctional<dim> &functional,
-                const unsigned int              k,
-                const Tensor<2, dim>           &hessian,
-                const Tensor<2, dim>           &diagonal_block,
-                const double                    factor)
+    is_moderate(const NonsmoothFunctional<n_components> &functional,
+                const unsigned int                       k,
+                const Tensor<2, n_components>           &hessian,
+                const Tensor<2, n_components>           &diagonal_block,
+                const double                             factor)
     {
       constexpr double largest_ratio = 1e3;
 
-      unsigned int n_components = 0;
-      double       diagonal     = std::numeric_limits<double>::max();
-      double       trace        = 0.;
-      for (unsigned int c = 0; c < dim; ++c)
+      unsigned int n_acting = 0;
+      double       diagonal = std::numeric_limits<double>::max();
+      double       trace    = 0.;
+      for (unsigned int c = 0; c < n_components; ++c)
         if (functional.acts_on(k, c))
           {
-            ++n_components;
+            ++n_acting;
             diagonal = std::min(diagonal, diagonal_block[c][c]);
             trace += hessian[c][c];
           }
       // Written so that a NaN is not moderate.
-      if (n_components < 2 || trace <= factor * diagonal)
+      if (n_components == 1 || n_acting < 2 || trace <= factor * diagonal)
         return trace <= factor * diagonal;
       if (!(trace <= largest_ratio * factor * diagonal))
         return false;
       // In descending order; zeros of the other components come last.
-      return eigenvalues(symmetrize(hessian))[n_components - 1] <=
+      return eigenvalues(symmetrize(hessian))[n_acting - 1] <=
              factor * diagonal;
     }
   } // namespace
 
 
 
-  template <int dim>
+  template <int n_components>
   double
-  increase(const NonsmoothFunctional<dim> &functional,
-           const NodalVector              &w,
-           const NodalVector              &v)
+  increase(const NonsmoothFunctional<n_components> &functional,
+           const NodalVector                       &w,
+           const NodalVector                       &v)
   {
     double                           sum   = 0;
     const std::vector<unsigned int> &nodes = functional.nodes();
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      sum += functional.value(k, block<dim>(w, nodes[k])) -
-             functional.value(k, block<dim>(v, nodes[k]));
+      sum += functional.value(k, block<n_components>(w, nodes[k])) -
+             functional.value(k, block<n_components>(v, nodes[k]));
     return Utilities::MPI::sum(sum, w.get_mpi_communicator());
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   double
-  slope_of(const NonsmoothFunctional<dim> &functional,
-           const NodalVector              &w,
-           const NodalVector              &d,
-           const double                    t)
+  slope_of(const NonsmoothFunctional<n_components> &functional,
+           const NodalVector                       &w,
+           const NodalVector                       &d,
+           const double                             t)
   {
     double                           sum   = 0;
     const std::vector<unsigned int> &nodes = functional.nodes();
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const Tensor<1, dim> direction = block<dim>(d, nodes[k]);
+        const Tensor<1, n_components> direction =
+          block<n_components>(d, nodes[k]);
         sum += functional.directional_derivative(
-          k, block<dim>(w, nodes[k]) + t * direction, direction);
+          k, block<n_components>(w, nodes[k]) + t * direction, direction);
       }
     return Utilities::MPI::sum(sum, w.get_mpi_communicator());
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  subtract_gradient(const NonsmoothFunctional<dim> &functional,
-                    const NodalVector              &w,
-                    NodalVector                    &r)
+  subtract_gradient(const NonsmoothFunctional<n_components> &functional,
+                    const NodalVector                       &w,
+                    NodalVector                             &r)
   {
     const std::vector<unsigned int> &nodes = functional.nodes();
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const Tensor<1, dim> gradient =
-          functional.gradient(k, block<dim>(w, nodes[k]));
-        for (unsigned int c = 0; c < dim; ++c)
-          r.local_element(nodes[k] * dim + c) -= gradient[c];
+        const Tensor<1, n_components> gradient =
+          functional.gradient(k, block<n_components>(w, nodes[k]));
+        for (unsigned int c = 0; c < n_components; ++c)
+          r.local_element(nodes[k] * n_components + c) -= gradient[c];
       }
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  linearise(const NonsmoothFunctional<dim>    &functional,
-            const TNNMGParameters             &parameters,
-            const std::vector<Tensor<2, dim>> &diagonal_blocks,
-            const NodalVector                 &w,
-            const NodalVector                 &force,
-            std::vector<Tensor<2, dim>>       &hessians,
-            NodeMask                          &active)
+  linearise(const NonsmoothFunctional<n_components>    &functional,
+            const TNNMGParameters                      &parameters,
+            const std::vector<Tensor<2, n_components>> &diagonal_blocks,
+            const NodalVector                          &w,
+            const NodalVector                          &force,
+            std::vector<Tensor<2, n_components>>       &hessians,
+            NodeMask                                   &active)
   {
     const std::vector<unsigned int> &nodes = functional.nodes();
     AssertDimension(diagonal_blocks.size(), nodes.size());
     unsigned int n_truncated = 0;
-    hessians.assign(nodes.size(), Tensor<2, dim>());
+    hessians.assign(nodes.size(), Tensor<2, n_components>());
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const unsigned int   i = nodes[k];
-        const Tensor<1, dim> v = block<dim>(w, i);
-        bool                 smooth;
+        const unsigned int            i = nodes[k];
+        const Tensor<1, n_components> v = block<n_components>(w, i);
+        bool                          smooth;
         if (parameters.nonlinear_smoothing)
           {
             smooth = functional.is_smooth(k, v);
             if (smooth)
               {
                 hessians[k] =
-                  functional.secant_hessian(k, v, block<dim>(force, i));
+                  functional.secant_hessian(k,
+                                            v,
+                                            block<n_components>(force, i));
                 smooth = is_moderate(functional,
                                      k,
                                      hessians[k],
@@ -149,13 +152,13 @@ namespace StickSlip
           {
             hessians[k] = functional.hessian(k, v);
             smooth      = true;
-            for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int c = 0; c < n_components; ++c)
               smooth = smooth && std::isfinite(hessians[k][c][c]);
           }
         if (!smooth)
           {
             hessians[k] = 0.;
-            for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int c = 0; c < n_components; ++c)
               if (functional.acts_on(k, c) && active.is_active(i, c))
                 {
                   active.mask(i, c);
@@ -168,25 +171,30 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                               \
-  template double       increase<dim>(const NonsmoothFunctional<dim> &,          \
-                                const NodalVector &,                       \
-                                const NodalVector &);                      \
-  template double       slope_of<dim>(const NonsmoothFunctional<dim> &,          \
-                                const NodalVector &,                       \
-                                const NodalVector &,                       \
-                                const double);                             \
-  template void         subtract_gradient<dim>(const NonsmoothFunctional<dim> &, \
-                                       const NodalVector &,              \
-                                       NodalVector &);                   \
-  template unsigned int linearise<dim>(const NonsmoothFunctional<dim> &,         \
-                                       const TNNMGParameters &,                  \
-                                       const std::vector<Tensor<2, dim>> &,      \
-                                       const NodalVector &,                      \
-                                       const NodalVector &,                      \
-                                       std::vector<Tensor<2, dim>> &,            \
-                                       NodeMask &);
+#define STICKSLIP_INSTANTIATE(n_components)       \
+  template double increase<n_components>(         \
+    const NonsmoothFunctional<n_components> &,    \
+    const NodalVector &,                          \
+    const NodalVector &);                         \
+  template double slope_of<n_components>(         \
+    const NonsmoothFunctional<n_components> &,    \
+    const NodalVector &,                          \
+    const NodalVector &,                          \
+    const double);                                \
+  template void subtract_gradient<n_components>(  \
+    const NonsmoothFunctional<n_components> &,    \
+    const NodalVector &,                          \
+    NodalVector &);                               \
+  template unsigned int linearise<n_components>(  \
+    const NonsmoothFunctional<n_components> &,    \
+    const TNNMGParameters &,                      \
+    const std::vector<Tensor<2, n_components>> &, \
+    const NodalVector &,                          \
+    const NodalVector &,                          \
+    std::vector<Tensor<2, n_components>> &,       \
+    NodeMask &);
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

@@ -15,12 +15,13 @@ namespace StickSlip
   namespace
   {
     /** No correction at all. */
-    template <int dim>
-    class ZeroCorrection : public LinearCorrection<dim>
+    template <int n_components>
+    class ZeroCorrection : public LinearCorrection<n_components>
     {
     public:
       void
-      linearise(const std::vector<Tensor<2, dim>> &, const NodeMask &) override
+      linearise(const std::vector<Tensor<2, n_components>> &,
+                const NodeMask &) override
       {}
 
       unsigned int
@@ -35,9 +36,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  std::unique_ptr<LinearCorrection<dim>>
-  make_linear_correction(LevelHierarchy<dim>            &hierarchy,
+  template <int n_components>
+  std::unique_ptr<LinearCorrection<n_components>>
+  make_linear_correction(LevelHierarchy<n_components>   &hierarchy,
                          const TNNMGParameters          &parameters,
                          const std::vector<NodalVector> &near_null_space)
   {
@@ -49,31 +50,32 @@ namespace StickSlip
     switch (type)
       {
         case LinearCorrectionType::umfpack:
-          return std::make_unique<DirectCorrection<dim>>(
-            hierarchy, std::make_unique<UmfpackFactorisation<dim>>());
+          return std::make_unique<DirectCorrection<n_components>>(
+            hierarchy, std::make_unique<UmfpackFactorisation<n_components>>());
         case LinearCorrectionType::mumps:
-          return std::make_unique<DirectCorrection<dim>>(
-            hierarchy, std::make_unique<MumpsFactorisation<dim>>());
+          return std::make_unique<DirectCorrection<n_components>>(
+            hierarchy, std::make_unique<MumpsFactorisation<n_components>>());
         case LinearCorrectionType::amg:
-          return std::make_unique<AMGCorrection<dim>>(hierarchy,
-                                                      parameters,
-                                                      near_null_space);
+          return std::make_unique<AMGCorrection<n_components>>(hierarchy,
+                                                               parameters,
+                                                               near_null_space);
         case LinearCorrectionType::none:
-          return std::make_unique<ZeroCorrection<dim>>();
+          return std::make_unique<ZeroCorrection<n_components>>();
         case LinearCorrectionType::multigrid:
           break;
       }
-    return std::make_unique<MultigridCorrection<dim>>(hierarchy, parameters);
+    return std::make_unique<MultigridCorrection<n_components>>(hierarchy,
+                                                               parameters);
   }
 
 
 
-  template <int dim>
-  BlockMatrix<dim>
-  linearised_matrix(const LevelHierarchy<dim>         &hierarchy,
-                    const std::vector<Tensor<2, dim>> &hessians)
+  template <int n_components>
+  BlockMatrix<n_components>
+  linearised_matrix(const LevelHierarchy<n_components>         &hierarchy,
+                    const std::vector<Tensor<2, n_components>> &hessians)
   {
-    BlockMatrix<dim>                 result = hierarchy.matrix();
+    BlockMatrix<n_components>        result = hierarchy.matrix();
     const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       result.set_diagonal_block(nodes[k],
@@ -93,15 +95,17 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                             \
-  template class LinearCorrection<dim>;                                        \
-  template std::unique_ptr<LinearCorrection<dim>> make_linear_correction<dim>( \
-    LevelHierarchy<dim> &,                                                     \
-    const TNNMGParameters &,                                                   \
-    const std::vector<NodalVector> &);                                         \
-  template BlockMatrix<dim> linearised_matrix<dim>(                            \
-    const LevelHierarchy<dim> &, const std::vector<Tensor<2, dim>> &);
+#define STICKSLIP_INSTANTIATE(n_components)                               \
+  template class LinearCorrection<n_components>;                          \
+  template std::unique_ptr<LinearCorrection<n_components>>                \
+  make_linear_correction<n_components>(LevelHierarchy<n_components> &,    \
+                                       const TNNMGParameters &,           \
+                                       const std::vector<NodalVector> &); \
+  template BlockMatrix<n_components> linearised_matrix<n_components>(     \
+    const LevelHierarchy<n_components> &,                                 \
+    const std::vector<Tensor<2, n_components>> &);
 
+  STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

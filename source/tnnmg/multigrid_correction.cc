@@ -5,10 +5,10 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  MultigridCorrection<dim>::MultigridCorrection(
-    LevelHierarchy<dim>   &hierarchy,
-    const TNNMGParameters &parameters)
+  template <int n_components>
+  MultigridCorrection<n_components>::MultigridCorrection(
+    LevelHierarchy<n_components> &hierarchy,
+    const TNNMGParameters        &parameters)
     : hierarchy(hierarchy)
     , parameters(parameters)
     , cg(hierarchy)
@@ -21,20 +21,20 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  MultigridCorrection<dim>::start()
+  MultigridCorrection<n_components>::start()
   {
     n_solved = 0;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  MultigridCorrection<dim>::linearise(
-    const std::vector<Tensor<2, dim>> &hessians,
-    const NodeMask                    &active)
+  MultigridCorrection<n_components>::linearise(
+    const std::vector<Tensor<2, n_components>> &hessians,
+    const NodeMask                             &active)
   {
     cg.linearise(hessians, active);
     hierarchy.linearise(hessians, active);
@@ -42,11 +42,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  MultigridCorrection<dim>::solve(NodalVector &x,
-                                  NodalVector &A_x,
-                                  NodalVector &r)
+  MultigridCorrection<n_components>::solve(NodalVector &x,
+                                           NodalVector &A_x,
+                                           NodalVector &r)
   {
     const unsigned int n_cycles =
       n_solved++ < parameters.single_cycle_corrections ?
@@ -63,6 +63,7 @@ namespace StickSlip
 
 
 
+  template class MultigridCorrection<1>;
   template class MultigridCorrection<2>;
   template class MultigridCorrection<3>;
 } // namespace StickSlip

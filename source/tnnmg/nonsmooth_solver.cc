@@ -7,18 +7,20 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  NonsmoothSolver<dim>::NonsmoothSolver(const TNNMGParameters &parameters)
+  template <int n_components>
+  NonsmoothSolver<n_components>::NonsmoothSolver(
+    const TNNMGParameters &parameters)
     : parameters(parameters)
   {}
 
 
 
-  template <int dim>
+  template <int n_components>
   SolveSummary
-  NonsmoothSolver<dim>::solve(const NonsmoothFunctional<dim> &functional,
-                              const NodalVector              &b,
-                              NodalVector                    &w)
+  NonsmoothSolver<n_components>::solve(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
+    NodalVector                             &w)
   {
     SolveSummary summary;
     start(b, w);
@@ -38,16 +40,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  NonsmoothSolver<dim>::has_converged(const IterationSummary &last,
-                                      const IterationSummary *before) const
+  NonsmoothSolver<n_components>::has_converged(
+    const IterationSummary &last,
+    const IterationSummary *before) const
   {
     return last.relative_error(before) <= parameters.tolerance;
   }
 
 
 
+  template class NonsmoothSolver<1>;
   template class NonsmoothSolver<2>;
   template class NonsmoothSolver<3>;
 } // namespace StickSlip

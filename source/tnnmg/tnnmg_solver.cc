@@ -12,11 +12,12 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  TNNMGSolver<dim>::TNNMGSolver(LevelHierarchy<dim>            &hierarchy,
-                                const TNNMGParameters          &parameters,
-                                const std::vector<NodalVector> &near_null_space)
-    : NonsmoothSolver<dim>(parameters)
+  template <int n_components>
+  TNNMGSolver<n_components>::TNNMGSolver(
+    LevelHierarchy<n_components>   &hierarchy,
+    const TNNMGParameters          &parameters,
+    const std::vector<NodalVector> &near_null_space)
+    : NonsmoothSolver<n_components>(parameters)
     , hierarchy(hierarchy)
     , linear_correction(
         make_linear_correction(hierarchy, parameters, near_null_space))
@@ -30,9 +31,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  TNNMGSolver<dim>::start(const NodalVector &b, const NodalVector &w)
+  TNNMGSolver<n_components>::start(const NodalVector &b, const NodalVector &w)
   {
     hierarchy.matrix().residual(residual, b, w);
     linear_correction->start();
@@ -40,11 +41,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   IterationSummary
-  TNNMGSolver<dim>::iterate(const NonsmoothFunctional<dim> &functional,
-                            const NodalVector              &b,
-                            NodalVector                    &w)
+  TNNMGSolver<n_components>::iterate(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
+    NodalVector                             &w)
   {
     IterationSummary summary;
     previous = w;
@@ -99,12 +101,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  TNNMGSolver<dim>::smooth(const NonsmoothFunctional<dim> &functional,
-                           const NodalVector              &b,
-                           NodalVector                    &w,
-                           IterationSummary               &summary)
+  TNNMGSolver<n_components>::smooth(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
+    NodalVector                             &w,
+    IterationSummary                        &summary)
   {
     nonlinear_gauss_seidel(hierarchy, functional, b, w);
     hierarchy.matrix().residual(smoothed_residual, b, w);
@@ -138,11 +141,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   unsigned int
-  TNNMGSolver<dim>::linearise(const NonsmoothFunctional<dim> &functional,
-                              const NodalVector              &w,
-                              const NodalVector              &force)
+  TNNMGSolver<n_components>::linearise(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &w,
+    const NodalVector                       &force)
   {
     diagonal_blocks.clear();
     for (const unsigned int i : functional.nodes())
@@ -161,13 +165,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  TNNMGSolver<dim>::finish(const NodalVector &, NodalVector &)
+  TNNMGSolver<n_components>::finish(const NodalVector &, NodalVector &)
   {}
 
 
 
+  template class TNNMGSolver<1>;
   template class TNNMGSolver<2>;
   template class TNNMGSolver<3>;
 } // namespace StickSlip

@@ -5,10 +5,11 @@
 #define stickslip_algebra_block_kernels_h
 
 /**
- * The inner loops on nodal block matrices: dim x dim blocks, stored row by row
- * (row-major inside a block), vectors with dim consecutive entries a node.
+ * The inner loops on nodal block matrices: square blocks of n_components rows,
+ * stored row by row, and vectors with n_components consecutive entries a node.
  * Plain C++ without other headers, so that this file alone may be compiled
- * for the machine's own instruction set. Instantiated for float and double.
+ * for the machine's own instruction set. Instantiated for one to three
+ * components, float and double.
  */
 namespace StickSlip
 {
@@ -28,7 +29,7 @@ namespace StickSlip
     };
 
     /** y_i = sum_j A_ij x_j for the rows begin <= i < end. */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     vmult(const BlockRows<Number> &A,
           const unsigned int       begin,
@@ -37,7 +38,7 @@ namespace StickSlip
           Number                  *y);
 
     /** r_i = b_i - sum_j A_ij x_j for the rows begin <= i < end. */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     residual(const BlockRows<Number> &A,
              const unsigned int       begin,
@@ -51,7 +52,7 @@ namespace StickSlip
      * x_i += D_i (b - A x)_i with @p inverse_diagonal D_i, which is zero in
      * the rows and columns of components that must not change.
      */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     gauss_seidel_forward(const BlockRows<Number> &A,
                          const Number            *inverse_diagonal,

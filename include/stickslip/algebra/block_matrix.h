@@ -63,15 +63,16 @@ namespace StickSlip
   };
 
   /**
-   * A square matrix of dim x dim blocks over the nodes of a level: rows of the
-   * owned nodes, columns of owned and ghost nodes. What is stored in single
-   * precision serves as preconditioner; it is read and written as double.
+   * A square matrix over the nodes of a level, with square blocks of
+   * n_components rows (1, 2 or 3): rows of the owned nodes, columns of owned
+   * and ghost nodes. Matrices in single precision serve as preconditioners;
+   * their entries are read and written as double.
    */
-  template <int dim, typename Number = double>
+  template <int n_components, typename Number = double>
   class BlockMatrix
   {
   public:
-    static constexpr unsigned int block_size = dim * dim;
+    static constexpr unsigned int block_size = n_components * n_components;
 
     BlockMatrix() = default;
 
@@ -89,7 +90,7 @@ namespace StickSlip
     unsigned int
     n_rows() const;
 
-    /** The dim x dim numbers of the entry at a position, row by row. */
+    /** The block of the entry at a position, row by row. */
     Number *
     block(const unsigned int position)
     {
@@ -102,19 +103,20 @@ namespace StickSlip
       return entries.data() + std::size_t(position) * block_size;
     }
 
-    Tensor<2, dim>
+    Tensor<2, n_components>
     diagonal_block(const unsigned int row) const
     {
-      const Number  *values = block(pattern->diagonal[row]);
-      Tensor<2, dim> result;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          result[c][d] = values[c * dim + d];
+      const Number           *values = block(pattern->diagonal[row]);
+      Tensor<2, n_components> result;
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          result[c][d] = values[c * n_components + d];
       return result;
     }
 
     void
-    set_diagonal_block(const unsigned int row, const Tensor<2, dim> &value);
+    set_diagonal_block(const unsigned int             row,
+                       const Tensor<2, n_components> &value);
 
     AlignedVector<Number> &
     values();

@@ -22,7 +22,7 @@ namespace StickSlip
    * nodes of others is sent to these and added there. Matrices may be in single
    * or double precision; sums are formed in double precision.
    */
-  template <int dim>
+  template <int n_components>
   class GalerkinProduct
   {
   public:
@@ -82,18 +82,18 @@ namespace StickSlip
      */
     template <typename FineNumber, typename CoarseNumber>
     void
-    compute(const BlockMatrix<dim, FineNumber> &fine,
-            const NodeMask                     &fine_mask,
-            BlockMatrix<dim, CoarseNumber>     &coarse);
+    compute(const BlockMatrix<n_components, FineNumber> &fine,
+            const NodeMask                              &fine_mask,
+            BlockMatrix<n_components, CoarseNumber>     &coarse);
 
     /** The same where this is an update and @p before is the product of before:
      * only the updated rows are computed. */
     template <typename FineNumber, typename CoarseNumber>
     void
-    update(const BlockMatrix<dim, FineNumber>   &fine,
-           const NodeMask                       &fine_mask,
-           const BlockMatrix<dim, CoarseNumber> &before,
-           BlockMatrix<dim, CoarseNumber>       &coarse);
+    update(const BlockMatrix<n_components, FineNumber>   &fine,
+           const NodeMask                                &fine_mask,
+           const BlockMatrix<n_components, CoarseNumber> &before,
+           BlockMatrix<n_components, CoarseNumber>       &coarse);
 
     /**
      * Choose the rows of compute_selected_rows(), by the local index of the
@@ -106,9 +106,9 @@ namespace StickSlip
     /** The same as compute() for the selected rows only. Collective. */
     template <typename FineNumber, typename CoarseNumber>
     void
-    compute_selected_rows(const BlockMatrix<dim, FineNumber> &fine,
-                          const NodeMask                     &fine_mask,
-                          BlockMatrix<dim, CoarseNumber>     &coarse);
+    compute_selected_rows(const BlockMatrix<n_components, FineNumber> &fine,
+                          const NodeMask                          &fine_mask,
+                          BlockMatrix<n_components, CoarseNumber> &coarse);
 
     /** The coarse rows, in ascending order, to which the given rows of S A S
      * contribute. */
@@ -118,10 +118,10 @@ namespace StickSlip
     /** The same as compute() for the given rows only. On one process only. */
     template <typename FineNumber, typename CoarseNumber>
     void
-    compute_rows(const BlockMatrix<dim, FineNumber> &fine,
-                 const NodeMask                     &fine_mask,
-                 const std::vector<unsigned int>    &coarse_rows,
-                 BlockMatrix<dim, CoarseNumber>     &coarse);
+    compute_rows(const BlockMatrix<n_components, FineNumber> &fine,
+                 const NodeMask                              &fine_mask,
+                 const std::vector<unsigned int>             &coarse_rows,
+                 BlockMatrix<n_components, CoarseNumber>     &coarse);
 
     std::size_t
     memory_consumption() const;
@@ -140,21 +140,21 @@ namespace StickSlip
 
     template <typename FineNumber, typename CoarseNumber>
     void
-    compute(const BlockMatrix<dim, FineNumber> &fine,
-            const NodeMask                     &fine_mask,
-            const Rows                         &rows,
-            BlockMatrix<dim, CoarseNumber>     &coarse);
+    compute(const BlockMatrix<n_components, FineNumber> &fine,
+            const NodeMask                              &fine_mask,
+            const Rows                                  &rows,
+            BlockMatrix<n_components, CoarseNumber>     &coarse);
 
     /** The share of this process in one coarse row, whose entries are those of
      * @p target in row @p target_row. */
     template <typename FineNumber, typename TargetNumber>
     void
-    compute_row(const BlockMatrix<dim, FineNumber> &fine,
-                const NodeMask                     &fine_mask,
-                const unsigned int                  row,
-                const BlockSparsity                &target,
-                const unsigned int                  target_row,
-                TargetNumber                       *values);
+    compute_row(const BlockMatrix<n_components, FineNumber> &fine,
+                const NodeMask                              &fine_mask,
+                const unsigned int                           row,
+                const BlockSparsity                         &target,
+                const unsigned int                           target_row,
+                TargetNumber                                *values);
 
     NodePartition                        nodes;
     TransferMatrix                       transfer;

@@ -13,18 +13,18 @@ namespace StickSlip
    * The scalar entry (c, d) of the block at a @p position in a @p row, where
    * rows and columns of masked components are those of the identity.
    */
-  template <int dim>
+  template <int n_components>
   inline double
-  masked_entry(const BlockMatrix<dim> &matrix,
-               const NodeMask         &mask,
-               const unsigned int      row,
-               const unsigned int      position,
-               const unsigned int      c,
-               const unsigned int      d)
+  masked_entry(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask,
+               const unsigned int               row,
+               const unsigned int               position,
+               const unsigned int               c,
+               const unsigned int               d)
   {
     const unsigned int column = matrix.sparsity().column[position];
     if (mask.is_active(row, c) && mask.is_active(column, d))
-      return matrix.block(position)[c * dim + d];
+      return matrix.block(position)[c * n_components + d];
     return row == column && c == d ? 1. : 0.;
   }
 
@@ -34,19 +34,19 @@ namespace StickSlip
    * All of them, scalar row after scalar row, each from its first column to its
    * last one.
    */
-  template <int dim>
+  template <int n_components>
   inline void
-  write_masked_entries(const BlockMatrix<dim> &matrix,
-                       const NodeMask         &mask,
-                       double                 *value)
+  write_masked_entries(const BlockMatrix<n_components> &matrix,
+                       const NodeMask                  &mask,
+                       double                          *value)
   {
     const BlockSparsity &sparsity = matrix.sparsity();
     for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < n_components; ++c)
         for (unsigned int k = sparsity.row_start[i];
              k < sparsity.row_start[i + 1];
              ++k)
-          for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int d = 0; d < n_components; ++d)
             *value++ = masked_entry(matrix, mask, i, k, c, d);
   }
 } // namespace StickSlip

@@ -12,22 +12,23 @@ namespace StickSlip
    * Cholesky factorisation by MUMPS, called directly, since the interface of
    * Trilinos offers neither symmetric factors nor Schur complements.
    */
-  template <int dim>
-  class MumpsFactorisation : public SparseFactorisation<dim>
+  template <int n_components>
+  class MumpsFactorisation : public SparseFactorisation<n_components>
   {
   public:
     /**
-     * The @p retained entries of vectors (dim * node + component, in ascending
-     * order, none of them ever masked) are not eliminated. With I the others
-     * and F the retained ones, solve() gives x_I = A_II^-1 b_I and x_F = 0,
-     * and schur_complement() what A becomes on F.
+     * The @p retained entries of vectors (n_components * node + component, in
+     * ascending order, none of them ever masked) are not eliminated. With I the
+     * others and F the retained ones, solve() gives x_I = A_II^-1 b_I and x_F =
+     * 0, and schur_complement() what A becomes on F.
      */
     explicit MumpsFactorisation(const std::vector<unsigned int> &retained = {});
 
     ~MumpsFactorisation() override;
 
     void
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+    set_matrix(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask) override;
 
     void
     solve(NodalVector &x, const NodalVector &b) override;

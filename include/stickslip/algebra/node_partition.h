@@ -16,7 +16,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * A vector of nodal values, dim consecutive entries for each node of a
+   * A vector of nodal values, consecutive entries for each node of a
    * NodePartition; owned nodes first, ghost nodes behind. Single precision is
    * for preconditioners.
    */
@@ -52,7 +52,7 @@ namespace StickSlip
 
   /**
    * Which nodes of one level this process owns and which others it reads, and
-   * the matching partition of vectors with dim entries a node. Local indices
+   * the matching partition of vectors with some entries a node. Local indices
    * count the owned nodes in the order of their global numbers, then the
    * ghosts in the order of theirs.
    */

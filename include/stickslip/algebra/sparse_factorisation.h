@@ -15,7 +15,7 @@ namespace StickSlip
    * process, with rows and columns of masked components replaced by those of
    * the identity. What depends on the sparsity alone is done once.
    */
-  template <int dim>
+  template <int n_components>
   class SparseFactorisation
   {
   public:
@@ -24,7 +24,8 @@ namespace StickSlip
     /** Factorise a matrix. Throws SingularMatrix; another matrix may be tried
      * after that. */
     virtual void
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) = 0;
+    set_matrix(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask) = 0;
 
     /** x = A^-1 b, for b that is zero in masked components. */
     virtual void

@@ -15,10 +15,10 @@
  * so that both together cost one passage through the matrix. Plain C++ without
  * other headers, like block_kernels.h, and instantiated for float and double.
  *
- * A dim x dim block is stored row by row in two dimensions and column by column
- * in three: what fills registers of four numbers best. Arrays of blocks end
- * with sweep_padding numbers more than they need, which are read together with
- * the last block and not used.
+ * A block of two components is stored row by row, one of three column by
+ * column, which fills registers of four numbers best. Arrays of blocks end with
+ * sweep_padding numbers more than they need, which are read together with the
+ * last block and not used.
  */
 namespace StickSlip
 {
@@ -39,17 +39,17 @@ namespace StickSlip
     };
 
     /** The position in a block of the entry in row c, column d. */
-    template <int dim>
+    template <int n_components>
     constexpr unsigned int
     sweep_position(const unsigned int c, const unsigned int d)
     {
-      return dim == 3 ? d * dim + c : c * dim + d;
+      return n_components == 3 ? d * n_components + c : c * n_components + d;
     }
 
     /** x_i = D_i (b - L x)_i for the rows 0 <= i < n in ascending order, where
      * D_i is the inverse of the diagonal block, or zero in the rows and columns
      * of components that must not change. */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     sweep_from_zero(const Triangle<Number> &lower,
                     const Number           *inverse_diagonal,
@@ -58,7 +58,7 @@ namespace StickSlip
                     Number                 *x);
 
     /** r_i = -(U x)_i for the rows 0 <= i < n. */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     residual_after_sweep(const Triangle<Number> &upper,
                          const unsigned int      n,
@@ -67,7 +67,7 @@ namespace StickSlip
 
     /** x_i = D_i (b - L x - U x)_i for the rows 0 <= i < n in ascending
      * order. */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     sweep_forward(const Triangle<Number> &lower,
                   const Triangle<Number> &upper,
@@ -77,7 +77,7 @@ namespace StickSlip
                   Number                 *x);
 
     /** The same in descending order. */
-    template <int dim, typename Number>
+    template <int n_components, typename Number>
     void
     sweep_backward(const Triangle<Number> &lower,
                    const Triangle<Number> &upper,

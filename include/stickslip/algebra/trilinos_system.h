@@ -19,7 +19,7 @@ namespace StickSlip
    * with rows and columns of masked components replaced by those of the
    * identity, and two vectors.
    */
-  template <int dim>
+  template <int n_components>
   class TrilinosSystem
   {
   public:
@@ -30,7 +30,7 @@ namespace StickSlip
     /** Take over the values of a matrix; returns whether its sparsity is
      * another one than before, so that all of the system has been made anew. */
     bool
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask);
+    set_matrix(const BlockMatrix<n_components> &matrix, const NodeMask &mask);
 
     unsigned int
     size() const;

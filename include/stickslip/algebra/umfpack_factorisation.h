@@ -12,8 +12,8 @@ namespace StickSlip
    * Factorisation by UMFPACK, called directly: deal.II's class for it analyses
    * the sparsity anew each time. Solutions are not improved iteratively.
    */
-  template <int dim>
-  class UmfpackFactorisation : public SparseFactorisation<dim>
+  template <int n_components>
+  class UmfpackFactorisation : public SparseFactorisation<n_components>
   {
   public:
     UmfpackFactorisation();
@@ -21,7 +21,8 @@ namespace StickSlip
     ~UmfpackFactorisation() override;
 
     void
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+    set_matrix(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask) override;
 
     void
     solve(NodalVector &x, const NodalVector &b) override;

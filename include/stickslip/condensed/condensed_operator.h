@@ -19,7 +19,7 @@ namespace StickSlip
    * The entries of the unknowns that a condensed problem keeps, node after node
    * in ascending order.
    */
-  template <int dim>
+  template <int n_components>
   struct CondensedEntries
   {
     CondensedEntries() = default;
@@ -28,12 +28,12 @@ namespace StickSlip
     CondensedEntries(const std::vector<unsigned int> &nodes,
                      const NodeMask                  &fixed);
 
-    /** Positions dim * node + component in a vector of unknowns. */
+    /** Positions n_components * node + component in a vector of unknowns. */
     std::vector<unsigned int> positions;
 
     /** The number of the entry of component c of the k-th node, or
      * numbers::invalid_unsigned_int. */
-    std::vector<std::array<unsigned int, dim>> of_node;
+    std::vector<std::array<unsigned int, n_components>> of_node;
 
     unsigned int
     size() const;
@@ -47,18 +47,18 @@ namespace StickSlip
    * with the other entries I that are not fixed, as a dense matrix, together
    * with the factors of A_II. On one process.
    */
-  template <int dim>
+  template <int n_components>
   class CondensedOperator
   {
   public:
     /** @p entries must live longer than this object. */
-    explicit CondensedOperator(const CondensedEntries<dim> &entries);
+    explicit CondensedOperator(const CondensedEntries<n_components> &entries);
 
     ~CondensedOperator();
 
     /** Throws SingularMatrix. */
     void
-    set_matrix(const BlockMatrix<dim> &A, const NodeMask &fixed);
+    set_matrix(const BlockMatrix<n_components> &A, const NodeMask &fixed);
 
     /** Row @p i of S, and column, since S is symmetric. */
     const double *
@@ -81,22 +81,22 @@ namespace StickSlip
      * made anew. Throws SingularMatrix.
      */
     void
-    solve_linearised(std::vector<double>               &x,
-                     const std::vector<double>         &r,
-                     const std::vector<Tensor<2, dim>> &H,
-                     const std::vector<bool>           &active);
+    solve_linearised(std::vector<double>                        &x,
+                     const std::vector<double>                  &r,
+                     const std::vector<Tensor<2, n_components>> &H,
+                     const std::vector<bool>                    &active);
 
   private:
     /** At most max_steps(); returns whether they were enough. */
     bool
-    solve_by_cg(std::vector<double>               &x,
-                const std::vector<double>         &r,
-                const std::vector<Tensor<2, dim>> &H,
-                const std::vector<bool>           &active);
+    solve_by_cg(std::vector<double>                        &x,
+                const std::vector<double>                  &r,
+                const std::vector<Tensor<2, n_components>> &H,
+                const std::vector<bool>                    &active);
 
     void
-    factorise(const std::vector<Tensor<2, dim>> &H,
-              const std::vector<bool>           &active);
+    factorise(const std::vector<Tensor<2, n_components>> &H,
+              const std::vector<bool>                    &active);
 
     /** x = the factors applied to b, on active entries. */
     void
@@ -104,11 +104,11 @@ namespace StickSlip
                   const std::vector<double> &b,
                   const std::vector<bool>   &active) const;
 
-    const CondensedEntries<dim> &entries;
-    MumpsFactorisation<dim>      bulk;
+    const CondensedEntries<n_components> &entries;
+    MumpsFactorisation<n_components>      bulk;
     /** Of A_II once more where that is small: UMFPACK solves faster then. */
-    std::unique_ptr<UmfpackFactorisation<dim>> small_bulk;
-    std::unique_ptr<LAPACKFullMatrix<double>>  factors;
+    std::unique_ptr<UmfpackFactorisation<n_components>> small_bulk;
+    std::unique_ptr<LAPACKFullMatrix<double>>           factors;
   };
 } // namespace StickSlip
 

@@ -27,8 +27,8 @@ namespace StickSlip
    * for those used last. Memory grows with the square, the time for an operator
    * with the cube of the number of entries of F. On one process.
    */
-  template <int dim>
-  class CondensedSolver : public NonsmoothSolver<dim>
+  template <int n_components>
+  class CondensedSolver : public NonsmoothSolver<n_components>
   {
   public:
     /** The largest number of entries of F. */
@@ -36,8 +36,8 @@ namespace StickSlip
 
     /** The hierarchy holds A and the fixed components. Throws AgreedFailure if
      * there are more than max_entries entries. */
-    CondensedSolver(const LevelHierarchy<dim> &hierarchy,
-                    const TNNMGParameters     &parameters);
+    CondensedSolver(const LevelHierarchy<n_components> &hierarchy,
+                    const TNNMGParameters              &parameters);
 
     void
     start(const NodalVector &b, const NodalVector &w) override;
@@ -47,9 +47,9 @@ namespace StickSlip
      * the prescribed components.
      */
     IterationSummary
-    iterate(const NonsmoothFunctional<dim> &functional,
-            const NodalVector              &b,
-            NodalVector                    &w) override;
+    iterate(const NonsmoothFunctional<n_components> &functional,
+            const NodalVector                       &b,
+            NodalVector                             &w) override;
 
     void
     finish(const NodalVector &b, NodalVector &w) override;
@@ -61,10 +61,10 @@ namespace StickSlip
   private:
     struct Operator
     {
-      unsigned long          version = 0;
-      CondensedOperator<dim> condensed;
+      unsigned long                   version = 0;
+      CondensedOperator<n_components> condensed;
 
-      explicit Operator(const CondensedEntries<dim> &entries);
+      explicit Operator(const CondensedEntries<n_components> &entries);
     };
 
     /** The present operator, as the first of the list. */
@@ -73,7 +73,7 @@ namespace StickSlip
 
     /** Nonlinear Gauss-Seidel. */
     void
-    smooth(const NonsmoothFunctional<dim> &functional, NodalVector &w);
+    smooth(const NonsmoothFunctional<n_components> &functional, NodalVector &w);
 
     /** The entries of F in a vector. */
     std::vector<double>
@@ -85,11 +85,11 @@ namespace StickSlip
 
     /** Block of S of the k-th node; that of the identity in fixed
      * components. */
-    Tensor<2, dim>
+    Tensor<2, n_components>
     diagonal_block(const unsigned int k) const;
 
-    const LevelHierarchy<dim> &hierarchy;
-    CondensedEntries<dim>      entries;
+    const LevelHierarchy<n_components> &hierarchy;
+    CondensedEntries<n_components>      entries;
     /** Those used last come first. */
     std::list<Operator> operators;
     unsigned int        condensations = 0;
@@ -102,9 +102,9 @@ namespace StickSlip
     /** w . A w for z = 0. */
     double square_at_zero = 0;
 
-    NodeMask                    active;
-    NodalVector                 previous, correction, scratch, bulk;
-    std::vector<Tensor<2, dim>> hessians, diagonal_blocks;
+    NodeMask                             active;
+    NodalVector                          previous, correction, scratch, bulk;
+    std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
   };
 } // namespace StickSlip
 

@@ -14,20 +14,21 @@ namespace StickSlip
    * translations as near null space: for coarsest levels too large to
    * factorise, as those of meshes that come with little or no hierarchy.
    */
-  template <int dim>
-  class AMGCoarseSolver : public CoarseSolver<dim>
+  template <int n_components>
+  class AMGCoarseSolver : public CoarseSolver<n_components>
   {
   public:
     AMGCoarseSolver();
 
     void
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+    set_matrix(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask) override;
 
     void
     solve(NodalVector &x, const NodalVector &b) override;
 
   private:
-    SmoothedAggregation<dim> cycles;
+    SmoothedAggregation<n_components> cycles;
   };
 } // namespace StickSlip
 

@@ -19,7 +19,7 @@ namespace StickSlip
    * On several processes each acts on its own nodes, with the values of the
    * others as they were before the sweep.
    */
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   class BlockGaussSeidel
   {
   public:
@@ -30,18 +30,20 @@ namespace StickSlip
     /** Take over the blocks of a row off the diagonal. */
     template <typename OtherNumber>
     void
-    set_row(const unsigned int i, const BlockMatrix<dim, OtherNumber> &matrix);
+    set_row(const unsigned int                            i,
+            const BlockMatrix<n_components, OtherNumber> &matrix);
 
     /** Set the diagonal block of a row, of which only the @p active components
      * are used. */
     void
-    set_diagonal(const unsigned int    i,
-                 const Tensor<2, dim> &block,
-                 const NodeMask       &active);
+    set_diagonal(const unsigned int             i,
+                 const Tensor<2, n_components> &block,
+                 const NodeMask                &active);
 
     /** The same by the inverse of its active part. */
     void
-    set_inverse_diagonal(const unsigned int i, const Tensor<2, dim> &inverse);
+    set_inverse_diagonal(const unsigned int             i,
+                         const Tensor<2, n_components> &inverse);
 
     /** x after a forward sweep from zero, and the residual r = b - A x, not
      * masked. The first of these is without communication, the second fetches
@@ -97,11 +99,11 @@ namespace StickSlip
    * The inverse of the part of a node's diagonal @p block that belongs to
    * active components, zero elsewhere.
    */
-  template <int dim>
-  Tensor<2, dim>
-  invert_active(const Tensor<2, dim> &block,
-                const NodeMask       &active,
-                const unsigned int    node);
+  template <int n_components>
+  Tensor<2, n_components>
+  invert_active(const Tensor<2, n_components> &block,
+                const NodeMask                &active,
+                const unsigned int             node);
 } // namespace StickSlip
 
 #endif

@@ -39,7 +39,7 @@ namespace StickSlip
    * side. Masked components are zero. The nodes all belong to the process that
    * has an object of this class.
    */
-  template <int dim>
+  template <int n_components>
   class CoarseSolver
   {
   public:
@@ -47,15 +47,16 @@ namespace StickSlip
 
     /** Prepare for a matrix. Throws SingularCoarseMatrix. */
     virtual void
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) = 0;
+    set_matrix(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask) = 0;
 
     /** x = A^-1 b, or an approximation. */
     virtual void
     solve(NodalVector &x, const NodalVector &b) = 0;
   };
 
-  template <int dim>
-  std::unique_ptr<CoarseSolver<dim>>
+  template <int n_components>
+  std::unique_ptr<CoarseSolver<n_components>>
   make_coarse_solver(const CoarseSolverType type);
 } // namespace StickSlip
 

@@ -17,45 +17,45 @@ namespace StickSlip
    * in the form of the smoother, the finest one as a copy. See VCycle, whose
    * functions of the same names these serve.
    */
-  template <int dim, typename Number>
+  template <int n_components, typename Number>
   class CycleOperators
   {
   public:
     /** @p descriptions, the coarsest level first, must outlive the object. */
     explicit CycleOperators(
-      const std::vector<LevelDescription<dim>> &descriptions);
+      const std::vector<LevelDescription<n_components>> &descriptions);
 
     /** Form the terms of the coarse levels. Collective, like all functions
      * that compute. */
     void
-    set_terms(const std::vector<BlockMatrix<dim>> &finest);
+    set_terms(const std::vector<BlockMatrix<n_components>> &finest);
 
     /** Combine the terms on the coarse levels. */
     void
     combine_coarse_levels(const std::vector<double> &coefficients);
 
     void
-    set_finest_row(const BlockMatrix<dim> &A,
-                   const unsigned int      i,
-                   const Tensor<2, dim>   &inverse_diagonal);
+    set_finest_row(const BlockMatrix<n_components> &A,
+                   const unsigned int               i,
+                   const Tensor<2, n_components>   &inverse_diagonal);
 
     void
-    set_finest_diagonal(const unsigned int    i,
-                        const Tensor<2, dim> &block,
-                        const NodeMask       &active);
+    set_finest_diagonal(const unsigned int             i,
+                        const Tensor<2, n_components> &block,
+                        const NodeMask                &active);
 
     /** Form what depends on the @p changed rows of S A S. */
     void
-    set_coarse_levels(const BlockMatrix<dim>          &A,
+    set_coarse_levels(const BlockMatrix<n_components> &A,
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed);
 
     /** Of every level but the coarsest. */
-    const BlockGaussSeidel<dim, Number> &
+    const BlockGaussSeidel<n_components, Number> &
     smoother(const unsigned int l) const;
 
     /** The operator on a coarse level. */
-    const BlockMatrix<dim, Number> &
+    const BlockMatrix<n_components, Number> &
     coarse_matrix(const unsigned int l) const;
 
     /** The components that take part on a coarse level. */
@@ -69,11 +69,11 @@ namespace StickSlip
   private:
     struct Level
     {
-      BlockGaussSeidel<dim, Number> smoother;
+      BlockGaussSeidel<n_components, Number> smoother;
 
       /** The rest is of coarse levels only. */
-      std::vector<BlockMatrix<dim, Number>> terms;
-      BlockMatrix<dim, Number>              matrix;
+      std::vector<BlockMatrix<n_components, Number>> terms;
+      BlockMatrix<n_components, Number>              matrix;
       /** On several processes: the owned rows that a change of the
        * nonsmooth term or of the truncation can touch. */
       std::vector<unsigned int> strip;
@@ -83,8 +83,8 @@ namespace StickSlip
     template <typename FineNumber>
     void
     compute_coarser_terms(
-      const unsigned int                               l,
-      const std::vector<BlockMatrix<dim, FineNumber>> &fine_terms);
+      const unsigned int                                        l,
+      const std::vector<BlockMatrix<n_components, FineNumber>> &fine_terms);
 
     /** @p sparsity is that of the finest level. */
     void
@@ -95,21 +95,21 @@ namespace StickSlip
      * level. */
     template <typename FineNumber>
     void
-    set_coarser_level(const unsigned int                  l,
-                      const BlockMatrix<dim, FineNumber> &matrix,
-                      const NodeMask                     &active,
-                      std::vector<unsigned int>          &changed);
+    set_coarser_level(const unsigned int                           l,
+                      const BlockMatrix<n_components, FineNumber> &matrix,
+                      const NodeMask                              &active,
+                      std::vector<unsigned int>                   &changed);
 
     /** Form rows of the operator on the level below @p l, at least those
      * that depend on the @p changed ones; returns which. */
     template <typename FineNumber>
     std::vector<unsigned int>
-    form_coarse_rows(const unsigned int                  l,
-                     const BlockMatrix<dim, FineNumber> &matrix,
-                     const NodeMask                     &active,
-                     const std::vector<unsigned int>    &changed);
+    form_coarse_rows(const unsigned int                           l,
+                     const BlockMatrix<n_components, FineNumber> &matrix,
+                     const NodeMask                              &active,
+                     const std::vector<unsigned int>             &changed);
 
-    const std::vector<LevelDescription<dim>> &descriptions;
+    const std::vector<LevelDescription<n_components>> &descriptions;
     /** Whether there are several processes. */
     const bool         is_shared;
     std::vector<Level> levels;

@@ -15,8 +15,8 @@ namespace StickSlip
    * Factorisation through Amesos of Trilinos: by KLU, or by MUMPS for large
    * matrices. What depends on the sparsity alone is done once.
    */
-  template <int dim>
-  class DirectCoarseSolver : public CoarseSolver<dim>
+  template <int n_components>
+  class DirectCoarseSolver : public CoarseSolver<n_components>
   {
   public:
     DirectCoarseSolver();
@@ -24,13 +24,14 @@ namespace StickSlip
     ~DirectCoarseSolver() override;
 
     void
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask) override;
+    set_matrix(const BlockMatrix<n_components> &matrix,
+               const NodeMask                  &mask) override;
 
     void
     solve(NodalVector &x, const NodalVector &b) override;
 
   private:
-    TrilinosSystem<dim>                system;
+    TrilinosSystem<n_components>       system;
     std::unique_ptr<Amesos_BaseSolver> factorisation;
   };
 } // namespace StickSlip

@@ -14,14 +14,14 @@ namespace StickSlip
   /**
    * What the solver is told of one level.
    */
-  template <int dim>
+  template <int n_components>
   struct LevelDescription
   {
     NodePartition nodes;
 
     /** Leads to the next coarser level, whose nodes are its coarse nodes; empty
      * on the coarsest level. */
-    std::shared_ptr<GalerkinProduct<dim>> to_coarser;
+    std::shared_ptr<GalerkinProduct<n_components>> to_coarser;
 
     /** The components that never take part, of owned nodes and ghosts. */
     NodeMask fixed;
@@ -46,30 +46,31 @@ namespace StickSlip
    * ghosts as their owners have it: those of the nonsmooth nodes and of nodes
    * coupled to them. @p sparsity is that of the level's matrix.
    */
-  template <int dim>
+  template <int n_components>
   std::vector<bool>
-  find_strip(const LevelDescription<dim> &level, const BlockSparsity &sparsity);
+  find_strip(const LevelDescription<n_components> &level,
+             const BlockSparsity                  &sparsity);
 
   /**
    * The same where there is a @p finer level: also the rows that see a row of
    * @p finer_strip.
    */
-  template <int dim>
+  template <int n_components>
   std::vector<bool>
-  find_strip(const LevelDescription<dim> &level,
-             const BlockSparsity         &sparsity,
-             const LevelDescription<dim> &finer,
-             const std::vector<bool>     &finer_strip);
+  find_strip(const LevelDescription<n_components> &level,
+             const BlockSparsity                  &sparsity,
+             const LevelDescription<n_components> &finer,
+             const std::vector<bool>              &finer_strip);
 
   /**
    * The components that take part on the level @p coarse where those of
    * @p fine_mask do on the level @p fine.
    */
-  template <int dim>
+  template <int n_components>
   NodeMask
-  coarsen_mask(const LevelDescription<dim> &coarse,
-               const LevelDescription<dim> &fine,
-               const NodeMask              &fine_mask);
+  coarsen_mask(const LevelDescription<n_components> &coarse,
+               const LevelDescription<n_components> &fine,
+               const NodeMask                       &fine_mask);
 } // namespace StickSlip
 
 #endif

@@ -28,12 +28,13 @@ namespace StickSlip
    * nodes of each process, with the values of the others as they were before
    * the sweep. The coarsest level must belong to one process.
    */
-  template <int dim>
+  template <int n_components>
   class LevelHierarchy
   {
   public:
     /** The coarsest level first. */
-    explicit LevelHierarchy(std::vector<LevelDescription<dim>> descriptions);
+    explicit LevelHierarchy(
+      std::vector<LevelDescription<n_components>> descriptions);
 
     LevelHierarchy(const LevelHierarchy &) = delete;
 
@@ -42,7 +43,7 @@ namespace StickSlip
 
     /** The terms on the finest level; all share one sparsity. */
     void
-    set_terms(std::vector<BlockMatrix<dim>> terms);
+    set_terms(std::vector<BlockMatrix<n_components>> terms);
 
     /**
      * Replace the levels by others of the same sizes, and the terms. Where the
@@ -50,12 +51,12 @@ namespace StickSlip
      * updated rows are computed.
      */
     void
-    update(std::vector<LevelDescription<dim>> new_levels,
-           std::vector<BlockMatrix<dim>>      new_terms);
+    update(std::vector<LevelDescription<n_components>> new_levels,
+           std::vector<BlockMatrix<n_components>>      new_terms);
 
     /** Give a term away, so that its memory is free before the next one is
      * replaced. Until update() there is no operator then. */
-    BlockMatrix<dim>
+    BlockMatrix<n_components>
     release_term(const unsigned int k);
 
     /** Set the operator A. */
@@ -70,8 +71,8 @@ namespace StickSlip
      * operator A is as before then.
      */
     void
-    linearise(const std::vector<Tensor<2, dim>> &hessians,
-              const NodeMask                    &active);
+    linearise(const std::vector<Tensor<2, n_components>> &hessians,
+              const NodeMask                             &active);
 
     /** x = approximation of (S (A + H) S)^-1 b by one V-cycle, symmetric. */
     void
@@ -82,7 +83,7 @@ namespace StickSlip
     vmult_linearised(NodalVector &y, const NodalVector &x) const;
 
     /** The operator A on the finest level. */
-    const BlockMatrix<dim> &
+    const BlockMatrix<n_components> &
     matrix() const;
 
     /** A number for the operator A: another one for other terms or
@@ -91,24 +92,24 @@ namespace StickSlip
     operator_version() const;
 
     /** One of the terms on the finest level. */
-    const BlockMatrix<dim> &
+    const BlockMatrix<n_components> &
     term(const unsigned int k) const;
 
     /** Inverses of the diagonal blocks on the finest level, restricted to the
-     * components that are not fixed; dim * dim numbers a node. Of no meaning
-     * at nonsmooth nodes. */
+     * components that are not fixed; n_components * n_components numbers a
+     * node. Of no meaning at nonsmooth nodes. */
     const AlignedVector<double> &
     inverse_diagonal() const;
 
-    const LevelDescription<dim> &
+    const LevelDescription<n_components> &
     finest() const;
 
-    const LevelDescription<dim> &
+    const LevelDescription<n_components> &
     description(const unsigned int l) const;
 
     /** A copy of the operator on level @p l; below the finest one that of the
      * last linearisation near the nonsmooth nodes. linearise() comes first. */
-    BlockMatrix<dim>
+    BlockMatrix<n_components>
     level_matrix(const unsigned int l) const;
 
     unsigned int
@@ -166,25 +167,25 @@ namespace StickSlip
     bool
     on_all_processes(const bool condition) const;
 
-    std::vector<LevelDescription<dim>> levels;
-    std::vector<BlockMatrix<dim>>      terms;
-    BlockMatrix<dim>                   A;
-    AlignedVector<double>              inverse_diagonals;
-    NodeMask                           active;
+    std::vector<LevelDescription<n_components>> levels;
+    std::vector<BlockMatrix<n_components>>      terms;
+    BlockMatrix<n_components>                   A;
+    AlignedVector<double>                       inverse_diagonals;
+    NodeMask                                    active;
 
-    CoarseSolverType             coarse_solver = CoarseSolverType::direct;
-    CyclePrecision               precision = CyclePrecision::single_precision;
-    std::unique_ptr<VCycle<dim>> cycle;
-    std::vector<double>          current_coefficients;
+    CoarseSolverType coarse_solver = CoarseSolverType::direct;
+    CyclePrecision   precision     = CyclePrecision::single_precision;
+    std::unique_ptr<VCycle<n_components>> cycle;
+    std::vector<double>                   current_coefficients;
     /** By the coefficients, for the present terms. */
     std::map<std::vector<double>, unsigned long> versions;
     unsigned long                                last_version = 0;
-    std::vector<Tensor<2, dim>>                  current_hessians;
+    std::vector<Tensor<2, n_components>>         current_hessians;
     /** What the coarse levels have been given. */
-    std::vector<Tensor<2, dim>> coarse_hessians;
-    NodeMask                    coarse_active;
-    double                      coarse_update_threshold = 0;
-    bool                        is_linearised           = false;
+    std::vector<Tensor<2, n_components>> coarse_hessians;
+    NodeMask                             coarse_active;
+    double                               coarse_update_threshold = 0;
+    bool                                 is_linearised           = false;
     /** Whether the coarsest level has been factorised as well. */
     bool          coarse_levels_set = false;
     unsigned int  sweeps            = 1;
@@ -192,13 +193,13 @@ namespace StickSlip
   };
 
   /** y += factor H x with H block diagonal at the @p nodes. */
-  template <int dim>
+  template <int n_components>
   void
-  add_hessians(NodalVector                       &y,
-               const double                       factor,
-               const std::vector<unsigned int>   &nodes,
-               const std::vector<Tensor<2, dim>> &hessians,
-               const NodalVector                 &x);
+  add_hessians(NodalVector                                &y,
+               const double                                factor,
+               const std::vector<unsigned int>            &nodes,
+               const std::vector<Tensor<2, n_components>> &hessians,
+               const NodalVector                          &x);
 } // namespace StickSlip
 
 #endif

@@ -15,7 +15,7 @@ namespace StickSlip
    * LinearCorrection, that give the product A x along with x: A is applied to
    * the directions anyway.
    */
-  template <int dim>
+  template <int n_components>
   class LinearisedCG
   {
   public:
@@ -23,12 +23,12 @@ namespace StickSlip
     using Preconditioner =
       std::function<void(NodalVector &x, const NodalVector &b)>;
 
-    explicit LinearisedCG(const LevelHierarchy<dim> &hierarchy);
+    explicit LinearisedCG(const LevelHierarchy<n_components> &hierarchy);
 
     /** See LinearCorrection. */
     void
-    linearise(const std::vector<Tensor<2, dim>> &hessians,
-              const NodeMask                    &active);
+    linearise(const std::vector<Tensor<2, n_components>> &hessians,
+              const NodeMask                             &active);
 
     /**
      * At most @p max_steps steps, and no more once the residual in the norm of
@@ -45,10 +45,10 @@ namespace StickSlip
           NodalVector          &r);
 
   private:
-    const LevelHierarchy<dim>  &hierarchy;
-    std::vector<Tensor<2, dim>> hessians;
-    NodeMask                    active;
-    NodalVector                 direction, A_direction, preconditioned;
+    const LevelHierarchy<n_components>  &hierarchy;
+    std::vector<Tensor<2, n_components>> hessians;
+    NodeMask                             active;
+    NodalVector                          direction, A_direction, preconditioned;
   };
 } // namespace StickSlip
 

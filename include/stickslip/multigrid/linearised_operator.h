@@ -12,10 +12,10 @@ namespace StickSlip
    * The linearised operator S (A + H) S of a hierarchy of levels in the form
    * that deal.II's iterative solvers want.
    */
-  template <int dim>
+  template <int n_components>
   struct LinearisedOperator
   {
-    const LevelHierarchy<dim> &hierarchy;
+    const LevelHierarchy<n_components> &hierarchy;
 
     void
     vmult(NodalVector &y, const NodalVector &x) const
@@ -27,10 +27,10 @@ namespace StickSlip
   /**
    * Its V-cycle as a preconditioner for these.
    */
-  template <int dim>
+  template <int n_components>
   struct CyclePreconditioner
   {
-    LevelHierarchy<dim> &hierarchy;
+    LevelHierarchy<n_components> &hierarchy;
 
     void
     vmult(NodalVector &y, const NodalVector &x) const

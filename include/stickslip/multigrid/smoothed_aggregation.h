@@ -21,7 +21,7 @@ namespace StickSlip
    * one process, with rows and columns of masked components replaced by those
    * of the identity: a symmetric linear map of the right hand side.
    */
-  template <int dim>
+  template <int n_components>
   class SmoothedAggregation
   {
   public:
@@ -39,7 +39,7 @@ namespace StickSlip
 
     /** Make the cycles for a matrix; returns whether they could be made. */
     bool
-    set_matrix(const BlockMatrix<dim> &matrix, const NodeMask &mask);
+    set_matrix(const BlockMatrix<n_components> &matrix, const NodeMask &mask);
 
     /** x = an approximation of A^-1 b. */
     void
@@ -50,7 +50,7 @@ namespace StickSlip
     /** Mode after mode, as ML wants them. */
     std::vector<double>                                  null_space;
     const unsigned int                                   n_modes;
-    TrilinosSystem<dim>                                  system;
+    TrilinosSystem<n_components>                         system;
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> cycles;
   };
 } // namespace StickSlip

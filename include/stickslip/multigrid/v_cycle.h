@@ -27,7 +27,7 @@ namespace StickSlip
    * that it needs: those of the coarse levels, and a copy of the finest one in
    * the form and precision of the smoother. It only ever preconditions.
    */
-  template <int dim>
+  template <int n_components>
   class VCycle
   {
   public:
@@ -37,7 +37,7 @@ namespace StickSlip
      * levels have changed since the last time and their products are updates,
      * their updated rows only. Collective, like all functions that compute. */
     virtual void
-    set_terms(const std::vector<BlockMatrix<dim>> &finest) = 0;
+    set_terms(const std::vector<BlockMatrix<n_components>> &finest) = 0;
 
     /** Combine the terms on the coarse levels. */
     virtual void
@@ -46,16 +46,16 @@ namespace StickSlip
     /** Take over a row of the operator A on the finest level, with the inverse
      * of its diagonal block, zero in fixed components. */
     virtual void
-    set_finest_row(const BlockMatrix<dim> &A,
-                   const unsigned int      i,
-                   const Tensor<2, dim>   &inverse_diagonal) = 0;
+    set_finest_row(const BlockMatrix<n_components> &A,
+                   const unsigned int               i,
+                   const Tensor<2, n_components>   &inverse_diagonal) = 0;
 
     /** Set a diagonal block on the finest level, and which of its components
      * take part. */
     virtual void
-    set_finest_diagonal(const unsigned int    i,
-                        const Tensor<2, dim> &block,
-                        const NodeMask       &active) = 0;
+    set_finest_diagonal(const unsigned int             i,
+                        const Tensor<2, n_components> &block,
+                        const NodeMask                &active) = 0;
 
     /** Form the operators near the nonsmooth nodes on all coarse levels from
      * that on the finest one, S A S, where S keeps the components that take
@@ -63,7 +63,7 @@ namespace StickSlip
      * after combine_coarse_levels() those that the nonsmooth term and the
      * truncation change. Throws SingularCoarseMatrix. */
     virtual void
-    set_coarse_levels(const BlockMatrix<dim>          &A,
+    set_coarse_levels(const BlockMatrix<n_components> &A,
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed) = 0;
 
@@ -72,7 +72,7 @@ namespace StickSlip
     vmult(NodalVector &x, const NodalVector &b, const NodeMask &active) = 0;
 
     /** The operator on a coarse level. */
-    virtual BlockMatrix<dim>
+    virtual BlockMatrix<n_components>
     coarse_matrix(const unsigned int l) const = 0;
 
     /** Number of sweeps before and after the coarse grid correction. */
@@ -89,10 +89,10 @@ namespace StickSlip
   };
 
   /** The coarsest level first; @p levels must outlive the cycle. */
-  template <int dim>
-  std::unique_ptr<VCycle<dim>>
-  make_v_cycle(const CyclePrecision                      precision,
-               const std::vector<LevelDescription<dim>> &levels);
+  template <int n_components>
+  std::unique_ptr<VCycle<n_components>>
+  make_v_cycle(const CyclePrecision                               precision,
+               const std::vector<LevelDescription<n_components>> &levels);
 } // namespace StickSlip
 
 #endif

@@ -16,18 +16,18 @@ namespace StickSlip
    * made anew where the components that take part have changed, or H by more
    * than the coarse levels of multigrid tolerate. On one process.
    */
-  template <int dim>
-  class AMGCorrection : public LinearCorrection<dim>
+  template <int n_components>
+  class AMGCorrection : public LinearCorrection<n_components>
   {
   public:
     /** Without a @p near_null_space it consists of the translations. */
-    AMGCorrection(LevelHierarchy<dim>            &hierarchy,
+    AMGCorrection(LevelHierarchy<n_components>   &hierarchy,
                   const TNNMGParameters          &parameters,
                   const std::vector<NodalVector> &near_null_space);
 
     void
-    linearise(const std::vector<Tensor<2, dim>> &hessians,
-              const NodeMask                    &active) override;
+    linearise(const std::vector<Tensor<2, n_components>> &hessians,
+              const NodeMask                             &active) override;
 
     /** Ends after 200 steps at the latest; what it has by then still is a
      * direction of descent. */
@@ -37,18 +37,18 @@ namespace StickSlip
   private:
     /** Whether the present cycles serve a linearisation. */
     bool
-    is_close(const std::vector<Tensor<2, dim>> &new_hessians,
-             const NodeMask                    &new_active) const;
+    is_close(const std::vector<Tensor<2, n_components>> &new_hessians,
+             const NodeMask                             &new_active) const;
 
-    LevelHierarchy<dim>     &hierarchy;
-    const TNNMGParameters   &parameters;
-    SmoothedAggregation<dim> cycles;
+    LevelHierarchy<n_components>     &hierarchy;
+    const TNNMGParameters            &parameters;
+    SmoothedAggregation<n_components> cycles;
 
     /** What the cycles are made for. */
-    unsigned long               version = 0;
-    NodeMask                    active;
-    std::vector<Tensor<2, dim>> hessians;
-    LinearisedCG<dim>           cg;
+    unsigned long                        version = 0;
+    NodeMask                             active;
+    std::vector<Tensor<2, n_components>> hessians;
+    LinearisedCG<n_components>           cg;
   };
 } // namespace StickSlip
 

@@ -14,29 +14,30 @@ namespace StickSlip
    * commonly called a semismooth Newton method with a direct solver, globalised
    * by the nonlinear smoother and the line search. On one process.
    */
-  template <int dim>
-  class DirectCorrection : public LinearCorrection<dim>
+  template <int n_components>
+  class DirectCorrection : public LinearCorrection<n_components>
   {
   public:
-    DirectCorrection(LevelHierarchy<dim>                      &hierarchy,
-                     std::unique_ptr<SparseFactorisation<dim>> factorisation);
+    DirectCorrection(
+      LevelHierarchy<n_components>                      &hierarchy,
+      std::unique_ptr<SparseFactorisation<n_components>> factorisation);
 
     void
-    linearise(const std::vector<Tensor<2, dim>> &hessians,
-              const NodeMask                    &active) override;
+    linearise(const std::vector<Tensor<2, n_components>> &hessians,
+              const NodeMask                             &active) override;
 
     unsigned int
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
 
   private:
-    LevelHierarchy<dim>                      &hierarchy;
-    std::unique_ptr<SparseFactorisation<dim>> factorisation;
+    LevelHierarchy<n_components>                      &hierarchy;
+    std::unique_ptr<SparseFactorisation<n_components>> factorisation;
 
     /** What the factors belong to, if there are any. */
-    bool                        is_factorised = false;
-    unsigned long               version       = 0;
-    std::vector<Tensor<2, dim>> hessians;
-    NodeMask                    active;
+    bool                                 is_factorised = false;
+    unsigned long                        version       = 0;
+    std::vector<Tensor<2, n_components>> hessians;
+    NodeMask                             active;
   };
 } // namespace StickSlip
 

@@ -17,38 +17,38 @@ namespace StickSlip
    */
 
   /** The components of one node, given by its local index. Not collective. */
-  template <int dim>
-  inline Tensor<1, dim>
+  template <int n_components>
+  inline Tensor<1, n_components>
   block(const NodalVector &vector, const unsigned int node)
   {
-    Tensor<1, dim> values;
-    for (unsigned int c = 0; c < dim; ++c)
-      values[c] = vector.local_element(node * dim + c);
+    Tensor<1, n_components> values;
+    for (unsigned int c = 0; c < n_components; ++c)
+      values[c] = vector.local_element(node * n_components + c);
     return values;
   }
 
   /** phi(w) - phi(v) summed term by term, so that little cancels; over all
    * processes. */
-  template <int dim>
+  template <int n_components>
   double
-  increase(const NonsmoothFunctional<dim> &functional,
-           const NodalVector              &w,
-           const NodalVector              &v);
+  increase(const NonsmoothFunctional<n_components> &functional,
+           const NodalVector                       &w,
+           const NodalVector                       &v);
 
   /** The derivative of phi at w + t d in direction d, over all processes. */
-  template <int dim>
+  template <int n_components>
   double
-  slope_of(const NonsmoothFunctional<dim> &functional,
-           const NodalVector              &w,
-           const NodalVector              &d,
-           const double                    t);
+  slope_of(const NonsmoothFunctional<n_components> &functional,
+           const NodalVector                       &w,
+           const NodalVector                       &d,
+           const double                             t);
 
   /** r -= the gradient of phi at w. Not collective. */
-  template <int dim>
+  template <int n_components>
   void
-  subtract_gradient(const NonsmoothFunctional<dim> &functional,
-                    const NodalVector              &w,
-                    NodalVector                    &r);
+  subtract_gradient(const NonsmoothFunctional<n_components> &functional,
+                    const NodalVector                       &w,
+                    NodalVector                             &r);
 
   /**
    * The curvature of phi at w, a block for each of its nodes
@@ -63,15 +63,15 @@ namespace StickSlip
    * Returns the number of truncated components of this process; not
    * collective.
    */
-  template <int dim>
+  template <int n_components>
   unsigned int
-  linearise(const NonsmoothFunctional<dim>    &functional,
-            const TNNMGParameters             &parameters,
-            const std::vector<Tensor<2, dim>> &diagonal_blocks,
-            const NodalVector                 &w,
-            const NodalVector                 &force,
-            std::vector<Tensor<2, dim>>       &hessians,
-            NodeMask                          &active);
+  linearise(const NonsmoothFunctional<n_components>    &functional,
+            const TNNMGParameters                      &parameters,
+            const std::vector<Tensor<2, n_components>> &diagonal_blocks,
+            const NodalVector                          &w,
+            const NodalVector                          &force,
+            std::vector<Tensor<2, n_components>>       &hessians,
+            NodeMask                                   &active);
 } // namespace StickSlip
 
 #endif

@@ -20,7 +20,7 @@ namespace StickSlip
    *
    * All member functions are collective.
    */
-  template <int dim>
+  template <int n_components>
   class LinearCorrection
   {
   public:
@@ -40,8 +40,8 @@ namespace StickSlip
      * Throws SingularMatrix; A is as before then.
      */
     virtual void
-    linearise(const std::vector<Tensor<2, dim>> &hessians,
-              const NodeMask                    &active) = 0;
+    linearise(const std::vector<Tensor<2, n_components>> &hessians,
+              const NodeMask                             &active) = 0;
 
     /**
      * Find @p x and its product @p A_x with A alone, in all components of the
@@ -58,17 +58,17 @@ namespace StickSlip
    * the result. @p near_null_space: see TNNMGSolver. Throws where this
    * correction does not run on as many processes.
    */
-  template <int dim>
-  std::unique_ptr<LinearCorrection<dim>>
-  make_linear_correction(LevelHierarchy<dim>            &hierarchy,
+  template <int n_components>
+  std::unique_ptr<LinearCorrection<n_components>>
+  make_linear_correction(LevelHierarchy<n_components>   &hierarchy,
                          const TNNMGParameters          &parameters,
                          const std::vector<NodalVector> &near_null_space = {});
 
   /** The matrix A + H of the finest level. */
-  template <int dim>
-  BlockMatrix<dim>
-  linearised_matrix(const LevelHierarchy<dim>         &hierarchy,
-                    const std::vector<Tensor<2, dim>> &hessians);
+  template <int n_components>
+  BlockMatrix<n_components>
+  linearised_matrix(const LevelHierarchy<n_components>         &hierarchy,
+                    const std::vector<Tensor<2, n_components>> &hessians);
 
   /** Whether a correction runs on one process only. */
   bool

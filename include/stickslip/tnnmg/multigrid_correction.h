@@ -14,27 +14,27 @@ namespace StickSlip
    * symmetric V-cycle of the hierarchy; one step only in the first corrections
    * of a problem.
    */
-  template <int dim>
-  class MultigridCorrection : public LinearCorrection<dim>
+  template <int n_components>
+  class MultigridCorrection : public LinearCorrection<n_components>
   {
   public:
-    MultigridCorrection(LevelHierarchy<dim>   &hierarchy,
-                        const TNNMGParameters &parameters);
+    MultigridCorrection(LevelHierarchy<n_components> &hierarchy,
+                        const TNNMGParameters        &parameters);
 
     void
     start() override;
 
     void
-    linearise(const std::vector<Tensor<2, dim>> &hessians,
-              const NodeMask                    &active) override;
+    linearise(const std::vector<Tensor<2, n_components>> &hessians,
+              const NodeMask                             &active) override;
 
     unsigned int
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
 
   private:
-    LevelHierarchy<dim>   &hierarchy;
-    const TNNMGParameters &parameters;
-    LinearisedCG<dim>      cg;
+    LevelHierarchy<n_components> &hierarchy;
+    const TNNMGParameters        &parameters;
+    LinearisedCG<n_components>    cg;
     /** Since start(). */
     unsigned int n_solved = 0;
   };

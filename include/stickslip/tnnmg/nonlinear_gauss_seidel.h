@@ -21,12 +21,12 @@ namespace StickSlip
    * others as they were before the sweep: that the energy does not increase is
    * for the caller to see to.
    */
-  template <int dim>
+  template <int n_components>
   void
-  nonlinear_gauss_seidel(const LevelHierarchy<dim>      &hierarchy,
-                         const NonsmoothFunctional<dim> &functional,
-                         const NodalVector              &b,
-                         NodalVector                    &w);
+  nonlinear_gauss_seidel(const LevelHierarchy<n_components>      &hierarchy,
+                         const NonsmoothFunctional<n_components> &functional,
+                         const NodalVector                       &b,
+                         NodalVector                             &w);
 } // namespace StickSlip
 
 #endif

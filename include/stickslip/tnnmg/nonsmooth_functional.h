@@ -23,7 +23,7 @@ namespace StickSlip
    * here; it knows nothing of where they come from. All member functions take
    * the position @p k of a term in nodes().
    */
-  template <int dim>
+  template <int n_components>
   class NonsmoothFunctional
   {
   public:
@@ -40,30 +40,30 @@ namespace StickSlip
      * The value phi_k(v).
      */
     virtual double
-    value(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+    value(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
      * The derivative phi_k'(v; direction) in one direction, from that side.
      */
     virtual double
-    directional_derivative(const unsigned int    k,
-                           const Tensor<1, dim> &v,
-                           const Tensor<1, dim> &direction) const = 0;
+    directional_derivative(const unsigned int             k,
+                           const Tensor<1, n_components> &v,
+                           const Tensor<1, n_components> &direction) const = 0;
 
     /**
      * The gradient at v. Where phi_k is not differentiable, the element of
      * the subdifferential of least norm.
      */
-    virtual Tensor<1, dim>
-    gradient(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+    virtual Tensor<1, n_components>
+    gradient(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
      * The second derivative at v, symmetric and positive semidefinite. Where
      * is_smooth() is false, an element of the generalised second derivative,
      * or numbers that are not finite if there is none.
      */
-    virtual Tensor<2, dim>
-    hessian(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+    virtual Tensor<2, n_components>
+    hessian(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
      * What takes the place of the second derivative in a linear correction
@@ -73,10 +73,10 @@ namespace StickSlip
      * its gradient over the way to the point at which phi_k alone balances
      * the force tells more than that at v. By default the same as hessian().
      */
-    virtual Tensor<2, dim>
-    secant_hessian(const unsigned int    k,
-                   const Tensor<1, dim> &v,
-                   const Tensor<1, dim> &force) const;
+    virtual Tensor<2, n_components>
+    secant_hessian(const unsigned int             k,
+                   const Tensor<1, n_components> &v,
+                   const Tensor<1, n_components> &force) const;
 
     /**
      * Whether phi_k is twice differentiable in a neighbourhood of v. Where it
@@ -84,7 +84,7 @@ namespace StickSlip
      * linearisation whatever the size of the second derivative.
      */
     virtual bool
-    is_smooth(const unsigned int k, const Tensor<1, dim> &v) const = 0;
+    is_smooth(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
      * Whether phi_k depends on this component of the node's unknown. The
@@ -104,21 +104,22 @@ namespace StickSlip
      * positive definite. The minimiser is exact up to rounding, whatever
      * @p start is.
      */
-    virtual Tensor<1, dim>
-    minimise(const unsigned int           k,
-             const Tensor<2, dim>        &A,
-             const Tensor<1, dim>        &r,
-             const std::array<bool, dim> &active,
-             const Tensor<1, dim>        &start) const = 0;
+    virtual Tensor<1, n_components>
+    minimise(const unsigned int                    k,
+             const Tensor<2, n_components>        &A,
+             const Tensor<1, n_components>        &r,
+             const std::array<bool, n_components> &active,
+             const Tensor<1, n_components>        &start) const = 0;
   };
 
 
 
-  template <int dim>
-  Tensor<2, dim>
-  NonsmoothFunctional<dim>::secant_hessian(const unsigned int    k,
-                                           const Tensor<1, dim> &v,
-                                           const Tensor<1, dim> &) const
+  template <int n_components>
+  Tensor<2, n_components>
+  NonsmoothFunctional<n_components>::secant_hessian(
+    const unsigned int             k,
+    const Tensor<1, n_components> &v,
+    const Tensor<1, n_components> &) const
   {
     return hessian(k, v);
   }

@@ -23,7 +23,7 @@ namespace StickSlip
    * An iteration may leave components alone on which phi does not act, so that
    * w is the minimiser only after finish().
    */
-  template <int dim>
+  template <int n_components>
   class NonsmoothSolver
   {
   public:
@@ -38,9 +38,9 @@ namespace StickSlip
      * SolveSummary::converged. Throws SingularMatrix.
      */
     SolveSummary
-    solve(const NonsmoothFunctional<dim> &functional,
-          const NodalVector              &b,
-          NodalVector                    &w);
+    solve(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &b,
+          NodalVector                             &w);
 
     /**
      * Announce a sequence of single iterations from @p w with right hand side
@@ -51,9 +51,9 @@ namespace StickSlip
 
     /** One iteration. Throws SingularMatrix. */
     virtual IterationSummary
-    iterate(const NonsmoothFunctional<dim> &functional,
-            const NodalVector              &b,
-            NodalVector                    &w) = 0;
+    iterate(const NonsmoothFunctional<n_components> &functional,
+            const NodalVector                       &b,
+            NodalVector                             &w) = 0;
 
     /** Complete the components that the iterations since start() left alone. */
     virtual void

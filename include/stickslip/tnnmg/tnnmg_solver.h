@@ -22,8 +22,8 @@ namespace StickSlip
    * initial iterate. On several processes, whose sweeps do not see each other,
    * the change by the sweep is shortened where J would increase.
    */
-  template <int dim>
-  class TNNMGSolver : public NonsmoothSolver<dim>
+  template <int n_components>
+  class TNNMGSolver : public NonsmoothSolver<n_components>
   {
   public:
     /**
@@ -31,7 +31,7 @@ namespace StickSlip
      * @p near_null_space is of use to the linear correction AMG only: vectors
      * like the unknowns, on which A is small, as the rigid motions.
      */
-    TNNMGSolver(LevelHierarchy<dim>            &hierarchy,
+    TNNMGSolver(LevelHierarchy<n_components>   &hierarchy,
                 const TNNMGParameters          &parameters,
                 const std::vector<NodalVector> &near_null_space = {});
 
@@ -39,9 +39,9 @@ namespace StickSlip
     start(const NodalVector &b, const NodalVector &w) override;
 
     IterationSummary
-    iterate(const NonsmoothFunctional<dim> &functional,
-            const NodalVector              &b,
-            NodalVector                    &w) override;
+    iterate(const NonsmoothFunctional<n_components> &functional,
+            const NodalVector                       &b,
+            NodalVector                             &w) override;
 
     /** Nothing is left to do. */
     void
@@ -50,27 +50,27 @@ namespace StickSlip
   private:
     /** Step 1, from the iterate in previous; J does not increase. */
     void
-    smooth(const NonsmoothFunctional<dim> &functional,
-           const NodalVector              &b,
-           NodalVector                    &w,
-           IterationSummary               &summary);
+    smooth(const NonsmoothFunctional<n_components> &functional,
+           const NodalVector                       &b,
+           NodalVector                             &w,
+           IterationSummary                        &summary);
 
     /** Step 2 at @p w, where @p force is the negative gradient of J; returns
      * the number of truncated components. */
     unsigned int
-    linearise(const NonsmoothFunctional<dim> &functional,
-              const NodalVector              &w,
-              const NodalVector              &force);
+    linearise(const NonsmoothFunctional<n_components> &functional,
+              const NodalVector                       &w,
+              const NodalVector                       &force);
 
-    LevelHierarchy<dim>                   &hierarchy;
-    std::unique_ptr<LinearCorrection<dim>> linear_correction;
+    LevelHierarchy<n_components>                   &hierarchy;
+    std::unique_ptr<LinearCorrection<n_components>> linear_correction;
 
     /** b - A w of the current iterate. */
     NodalVector residual;
 
     NodeMask    active;
     NodalVector previous, smoothed_residual, correction, A_correction, scratch;
-    std::vector<Tensor<2, dim>> hessians, diagonal_blocks;
+    std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
   };
 } // namespace StickSlip
 
