@@ -183,8 +183,8 @@ namespace
 
 namespace
 {
-  /** Expects that waves have the exponent of contrib/tools/sliding_layers.py, within
-   * a hundredth after extrapolation to fine meshes and steps. */
+  /** Expects that waves have the exponent of contrib/tools/sliding_layers.py,
+   * within a hundredth after extrapolation to fine meshes and steps. */
   void
   expect_exponent(const SteadySliding &theory, const Complex expected)
   {

@@ -43,9 +43,10 @@ namespace StickSlip
                     const IndexSet               &owned_coarse);
 
     /**
-     * The product @p before, but for some rows of A and P. Everything else is
-     * taken over. On one process only, with the same nodes.
+     * Another product, but for some rows of A and P. On one process only, with
+     * the same nodes.
      *
+     * @param before The product from which everything else is taken.
      * @param fine The sparsity of A.
      * @param changed The rows in which P, or A, or the mask of A may differ
      * from what they were, in ascending order.

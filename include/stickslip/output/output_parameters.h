@@ -20,7 +20,8 @@ namespace StickSlip
    */
   struct OutputParameters
   {
-    /** Folder of all files; empty: output/<name of the parameter file>. */
+    /** Folder of all files; empty: one below output with the
+     * name of the parameter file. */
     std::string directory;
 
     /** Cadence of time_series.csv: a row after every so many accepted steps;

@@ -35,7 +35,8 @@ namespace StickSlip
 
     /**
      * The checked scene. @p dim must equal dimension(). An empty output
-     * directory has become output/<name of the parameter file>.
+     * directory has become one below output with the name of the parameter
+     * file.
      */
     template <int dim>
     SceneParameters<dim>
