@@ -18,7 +18,7 @@ ALLOWED = {
     "base": (),
     "algebra": ("base",),
     "multigrid": ("algebra", "base"),
-    "tnnmg": ("parameters", "multigrid", "algebra", "base"),
+    "tnnmg": ("multigrid", "algebra", "base"),
     "condensed": ("tnnmg", "multigrid", "algebra", "base"),
     "parameters": ("base",),
     "mesh": ("parameters", "algebra", "base"),

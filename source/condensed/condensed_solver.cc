@@ -187,10 +187,12 @@ namespace StickSlip
                                       entries.positions[i] % n_components);
     std::vector<double> direction, S_direction;
     S.solve_linearised(direction, values_of(scratch), hessians, is_active);
-    S.vmult(S_direction, direction);
     correction = 0.;
     for (unsigned int i = 0; i < n; ++i)
       correction.local_element(entries.positions[i]) = direction[i];
+    if (project_step(functional, w, correction))
+      direction = values_of(correction);
+    S.vmult(S_direction, direction);
 
     const double           linear      = dot(direction, residual);
     const double           square      = dot(direction, S_direction);
@@ -205,6 +207,7 @@ namespace StickSlip
       {
         scratch = w;
         w.add(t, correction);
+        project(functional, w);
         summary.correction_decrease =
           t * linear - 0.5 * t * t * square - increase(functional, w, scratch);
         for (unsigned int i = 0; i < n; ++i)

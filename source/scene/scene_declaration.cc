@@ -6,6 +6,7 @@
 #include <stickslip/parameters/entries.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/scene/scene_declaration.h>
+#include <stickslip/scene/solver_entries.h>
 
 namespace StickSlip
 {
@@ -174,7 +175,9 @@ namespace StickSlip
     prm.leave_subsection();
 
     declare_section(prm, "Contact", scene.contact);
-    declare_section(prm, "TNNMG", scene.tnnmg);
+    prm.enter_subsection("TNNMG");
+    declare_solver_entries(prm, scene.tnnmg);
+    prm.leave_subsection();
     declare_section(prm, "Time", scene.time);
     declare_section(prm, "Output", scene.output);
   }

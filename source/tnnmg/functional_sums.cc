@@ -59,6 +59,48 @@ namespace StickSlip
 
 
   template <int n_components>
+  void
+  project(const NonsmoothFunctional<n_components> &functional, NodalVector &w)
+  {
+    const std::vector<unsigned int> &nodes = functional.nodes();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const Tensor<1, n_components> v =
+          functional.project(k, block<n_components>(w, nodes[k]));
+        for (unsigned int c = 0; c < n_components; ++c)
+          w.local_element(nodes[k] * n_components + c) = v[c];
+      }
+  }
+
+
+
+  template <int n_components>
+  bool
+  project_step(const NonsmoothFunctional<n_components> &functional,
+               const NodalVector                       &w,
+               NodalVector                             &d)
+  {
+    unsigned int                     n_shortened = 0;
+    const std::vector<unsigned int> &nodes       = functional.nodes();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const Tensor<1, n_components> v = block<n_components>(w, nodes[k]);
+        const Tensor<1, n_components> goal =
+          v + block<n_components>(d, nodes[k]);
+        const Tensor<1, n_components> next = functional.project(k, goal);
+        if (next != goal)
+          {
+            ++n_shortened;
+            for (unsigned int c = 0; c < n_components; ++c)
+              d.local_element(nodes[k] * n_components + c) = next[c] - v[c];
+          }
+      }
+    return Utilities::MPI::sum(n_shortened, w.get_mpi_communicator()) > 0;
+  }
+
+
+
+  template <int n_components>
   double
   increase(const NonsmoothFunctional<n_components> &functional,
            const NodalVector                       &w,
@@ -88,7 +130,11 @@ namespace StickSlip
         const Tensor<1, n_components> direction =
           block<n_components>(d, nodes[k]);
         sum += functional.directional_derivative(
-          k, block<n_components>(w, nodes[k]) + t * direction, direction);
+          k,
+          // Rounding may lead out of the domain.
+          functional.project(k,
+                             block<n_components>(w, nodes[k]) + t * direction),
+          direction);
       }
     return Utilities::MPI::sum(sum, w.get_mpi_communicator());
   }
@@ -171,27 +217,33 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components)       \
-  template double increase<n_components>(         \
-    const NonsmoothFunctional<n_components> &,    \
-    const NodalVector &,                          \
-    const NodalVector &);                         \
-  template double slope_of<n_components>(         \
-    const NonsmoothFunctional<n_components> &,    \
-    const NodalVector &,                          \
-    const NodalVector &,                          \
-    const double);                                \
-  template void subtract_gradient<n_components>(  \
-    const NonsmoothFunctional<n_components> &,    \
-    const NodalVector &,                          \
-    NodalVector &);                               \
-  template unsigned int linearise<n_components>(  \
-    const NonsmoothFunctional<n_components> &,    \
-    const TNNMGParameters &,                      \
-    const std::vector<Tensor<2, n_components>> &, \
-    const NodalVector &,                          \
-    const NodalVector &,                          \
-    std::vector<Tensor<2, n_components>> &,       \
+#define STICKSLIP_INSTANTIATE(n_components)                    \
+  template void project<n_components>(                         \
+    const NonsmoothFunctional<n_components> &, NodalVector &); \
+  template bool project_step<n_components>(                    \
+    const NonsmoothFunctional<n_components> &,                 \
+    const NodalVector &,                                       \
+    NodalVector &);                                            \
+  template double increase<n_components>(                      \
+    const NonsmoothFunctional<n_components> &,                 \
+    const NodalVector &,                                       \
+    const NodalVector &);                                      \
+  template double slope_of<n_components>(                      \
+    const NonsmoothFunctional<n_components> &,                 \
+    const NodalVector &,                                       \
+    const NodalVector &,                                       \
+    const double);                                             \
+  template void subtract_gradient<n_components>(               \
+    const NonsmoothFunctional<n_components> &,                 \
+    const NodalVector &,                                       \
+    NodalVector &);                                            \
+  template unsigned int linearise<n_components>(               \
+    const NonsmoothFunctional<n_components> &,                 \
+    const TNNMGParameters &,                                   \
+    const std::vector<Tensor<2, n_components>> &,              \
+    const NodalVector &,                                       \
+    const NodalVector &,                                       \
+    std::vector<Tensor<2, n_components>> &,                    \
     NodeMask &);
 
   STICKSLIP_INSTANTIATE(1)

@@ -62,6 +62,8 @@ namespace StickSlip
     summary.n_truncated = linearise(functional, w, rhs);
     active.apply(rhs);
     summary.cycles = linear_correction->solve(correction, A_correction, rhs);
+    if (project_step(functional, w, correction))
+      hierarchy.matrix().vmult(A_correction, correction);
 
     const double linear = correction * smoothed_residual;
     const double square = correction * A_correction;
@@ -79,6 +81,7 @@ namespace StickSlip
         NodalVector &smoothed = scratch;
         smoothed              = w;
         w.add(t, correction);
+        project(functional, w);
         summary.correction_decrease =
           t * linear - 0.5 * t * t * square - increase(functional, w, smoothed);
         smoothed_residual.add(-t, A_correction);
@@ -133,6 +136,7 @@ namespace StickSlip
     summary.smoother_step_length = t;
     w                            = previous;
     w.add(t, correction);
+    project(functional, w);
     smoothed_residual.sadd(t, 1. - t, residual);
     summary.smoother_decrease = t * old_part -
                                 0.5 * t * t * (old_part - new_part) -

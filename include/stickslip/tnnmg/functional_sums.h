@@ -27,6 +27,20 @@ namespace StickSlip
     return values;
   }
 
+  /** Move @p w to the next point of the domain of phi. Not collective. */
+  template <int n_components>
+  void
+  project(const NonsmoothFunctional<n_components> &functional, NodalVector &w);
+
+  /** Shorten @p d so that w + d is that point of the domain of phi which is
+   * next to the original w + d. Returns whether there was anything to shorten,
+   * on any process. */
+  template <int n_components>
+  bool
+  project_step(const NonsmoothFunctional<n_components> &functional,
+               const NodalVector                       &w,
+               NodalVector                             &d);
+
   /** phi(w) - phi(v) summed term by term, so that little cancels; over all
    * processes. */
   template <int n_components>
@@ -35,7 +49,8 @@ namespace StickSlip
            const NodalVector                       &w,
            const NodalVector                       &v);
 
-  /** The derivative of phi at w + t d in direction d, over all processes. */
+  /** The derivative of phi at w + t d in direction d, over all processes,
+   * where w and w + d are in the domain of phi and 0 <= t <= 1. */
   template <int n_components>
   double
   slope_of(const NonsmoothFunctional<n_components> &functional,

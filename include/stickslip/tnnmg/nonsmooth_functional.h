@@ -22,6 +22,12 @@ namespace StickSlip
    * The terms may be nonsmooth. What the solver needs of them is gathered
    * here; it knows nothing of where they come from. All member functions take
    * the position @p k of a term in nodes().
+   *
+   * A term may be infinite outside a closed convex domain, such as that of an
+   * obstacle. The solver keeps to the domain by project() and minimise(). All
+   * other functions are asked for points of the domain only, and are those of
+   * the finite function which phi_k is there; at the boundary of the domain,
+   * is_smooth() is false.
    */
   template <int n_components>
   class NonsmoothFunctional
@@ -35,6 +41,13 @@ namespace StickSlip
      */
     virtual const std::vector<unsigned int> &
     nodes() const = 0;
+
+    /**
+     * The point of the domain of phi_k next to v, and v itself if that is in
+     * the domain; by default all points are.
+     */
+    virtual Tensor<1, n_components>
+    project(const unsigned int k, const Tensor<1, n_components> &v) const;
 
     /**
      * The value phi_k(v).
@@ -111,6 +124,17 @@ namespace StickSlip
              const std::array<bool, n_components> &active,
              const Tensor<1, n_components>        &start) const = 0;
   };
+
+
+
+  template <int n_components>
+  Tensor<1, n_components>
+  NonsmoothFunctional<n_components>::project(
+    const unsigned int,
+    const Tensor<1, n_components> &v) const
+  {
+    return v;
+  }
 
 
 

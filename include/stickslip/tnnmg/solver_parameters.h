@@ -4,14 +4,10 @@
 #ifndef stickslip_tnnmg_solver_parameters_h
 #define stickslip_tnnmg_solver_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <stickslip/multigrid/v_cycle.h>
 
 namespace StickSlip
 {
-  using namespace dealii;
-
   /**
    * How the linearised problem of an iteration is solved.
    */
@@ -86,13 +82,9 @@ namespace StickSlip
      * those are truncated at which the nonsmooth term has no second derivative
      * at all, not even a one-sided one, as at the kink of Coulomb's friction;
      * these keep their values, and the iteration may end short of the
-     * minimiser. No entry of parameter files.
+     * minimiser.
      */
     bool nonlinear_smoothing = true;
-
-    /** Declare the entries in the current subsection of @p prm. */
-    void
-    add_parameters(ParameterHandler &prm);
   };
 } // namespace StickSlip
 

@@ -16,6 +16,7 @@ namespace StickSlip
    *   1. a sweep of nonlinear Gauss-Seidel,
    *   2. truncation of the components at which phi is not smooth enough,
    *   3. a correction for the linearisation on the rest, see LinearCorrection,
+   *      projected onto the domain of phi,
    *   4. a line search.
    *
    * J decreases in every iteration, which makes the method converge from any

@@ -2,16 +2,16 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/parameters/entries.h>
-#include <stickslip/tnnmg/solver_parameters.h>
+#include <stickslip/scene/solver_entries.h>
 
 namespace StickSlip
 {
   void
-  TNNMGParameters::add_parameters(ParameterHandler &prm)
+  declare_solver_entries(ParameterHandler &prm, TNNMGParameters &parameters)
   {
     add_number(prm,
                "Tolerance",
-               tolerance,
+               parameters.tolerance,
                NumberRange().above(0).below(1),
                "The iteration ends when the error, estimated from the last two "
                "corrections, is below this times the iterate, both in the "
@@ -19,20 +19,20 @@ namespace StickSlip
                "nothing to the error of the time steps.");
     add_count(prm,
               "Largest number of iterations",
-              max_iterations,
+              parameters.max_iterations,
               1,
               100000,
               "More iterations than this are a failure.");
     add_number(prm,
                "Truncation factor",
-               truncation_factor,
+               parameters.truncation_factor,
                NumberRange().above(0),
                "A node is left out of the linear correction where the least "
                "curvature of its friction exceeds this times the diagonal of "
                "the matrix, without unit.");
     add_choice(prm,
                "Linear correction",
-               linear_correction,
+               parameters.linear_correction,
                {{LinearCorrectionType::multigrid, "multigrid"},
                 {LinearCorrectionType::umfpack, "UMFPACK"},
                 {LinearCorrectionType::mumps, "MUMPS"},
@@ -48,21 +48,21 @@ namespace StickSlip
                "one process only.");
     add_number(prm,
                "AMG tolerance",
-               amg_tolerance,
+               parameters.amg_tolerance,
                NumberRange().above(0).below(1),
                "The linear correction AMG ends when its residual, in the norm "
                "of the preconditioner, is below this times the initial one, "
                "without unit.");
     add_count(prm,
               "Cycles per correction",
-              cycles_per_correction,
+              parameters.cycles_per_correction,
               1,
               1000,
               "Steps of conjugate gradients, each with one multigrid V-cycle, "
               "in a linear correction after the first ones.");
     add_count(prm,
               "Single-cycle corrections",
-              single_cycle_corrections,
+              parameters.single_cycle_corrections,
               0,
               1000,
               "So many corrections of each problem take one multigrid V-cycle "
@@ -70,14 +70,14 @@ namespace StickSlip
               "more, and from far away the first ones need not be exact.");
     add_count(prm,
               "Smoothing sweeps",
-              smoothing_sweeps,
+              parameters.smoothing_sweeps,
               1,
               100,
               "Gauss-Seidel sweeps before and after each coarse grid "
               "correction.");
     add_number(prm,
                "Coarse update threshold",
-               coarse_update_threshold,
+               parameters.coarse_update_threshold,
                NumberRange().at_least(0),
                "The coarse levels, which only precondition, are given the "
                "curvature of the friction anew where it has changed by more "
@@ -85,7 +85,7 @@ namespace StickSlip
                "every iteration.");
     add_choice(prm,
                "Cycle precision",
-               cycle_precision,
+               parameters.cycle_precision,
                {{CyclePrecision::single_precision, "single"},
                 {CyclePrecision::double_precision, "double"}},
                "The precision of matrices and vectors in the multigrid cycles, "
@@ -95,7 +95,7 @@ namespace StickSlip
                "differs by many orders of magnitude.");
     add_choice(prm,
                "Coarse solver",
-               coarse_solver,
+               parameters.coarse_solver,
                {{CoarseSolverType::direct, "direct"},
                 {CoarseSolverType::amg, "AMG"}},
                "How the coarsest level, which belongs to one process, is "
@@ -104,7 +104,7 @@ namespace StickSlip
                "algebraic multigrid (AMG).");
     add_switch(prm,
                "Print iterations",
-               print_iterations,
+               parameters.print_iterations,
                "Whether a line is printed for every iteration.");
   }
 } // namespace StickSlip
