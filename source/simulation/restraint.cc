@@ -12,7 +12,10 @@ namespace StickSlip
   {
     template <int dim>
     bool
-    resists_slip(const FaultNodes<dim> &faults, const unsigned int fault)
+    resists_slip(const FaultNodes<dim>  &faults,
+                 const NodeLaws         &laws,
+                 const SystemState<dim> &state,
+                 const unsigned int      fault)
     {
       for (unsigned int k = faults.first_of_fault()[fault];
            k < faults.first_of_fault()[fault + 1];
@@ -20,10 +23,10 @@ namespace StickSlip
         {
           // A coefficient that does not depend on the slip rate says nothing of
           // how fast a body is that it does not hold.
-          const FaultLaw &law = faults.law(k);
+          const FaultLaw &law = laws[k];
           if (faults.in_contact(k) &&
               (law.is_prescribed || law.radiation_damping > 0. ||
-               (faults.normal_stress()[k] > 0. &&
+               (state.normal_stress[k] > 0. &&
                 law.friction->rate_scale() > 0.)))
             return true;
         }
@@ -57,7 +60,9 @@ namespace StickSlip
   template <int dim>
   void
   check_restraint(const SceneParameters<dim> &scene,
-                  const FaultNodes<dim>      &faults)
+                  const FaultNodes<dim>      &faults,
+                  const NodeLaws             &laws,
+                  const SystemState<dim>     &state)
   {
     if (scene.time.inertia == Inertia::dynamic)
       return;
@@ -68,7 +73,8 @@ namespace StickSlip
         {
           last         = first;
           bool is_held = is_held_by_a_side(scene, first, axis);
-          while (last + 1 < scene.bodies.size() && resists_slip(faults, last))
+          while (last + 1 < scene.bodies.size() &&
+                 resists_slip(faults, laws, state, last))
             {
               ++last;
               is_held = is_held || is_held_by_a_side(scene, last, axis);
@@ -90,7 +96,9 @@ namespace StickSlip
 
 #define STICKSLIP_INSTANTIATE(dim)                                 \
   template void check_restraint<dim>(const SceneParameters<dim> &, \
-                                     const FaultNodes<dim> &);
+                                     const FaultNodes<dim> &,      \
+                                     const NodeLaws &,             \
+                                     const SystemState<dim> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

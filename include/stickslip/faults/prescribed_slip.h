@@ -22,7 +22,7 @@ namespace StickSlip
   template <int dim>
   struct SlipRate
   {
-    /** Of the upper side relative to the lower one, m/s. */
+    /** Velocity of the upper side relative to the lower one, m/s. */
     Tensor<1, dim - 1> value;
 
     /** Time in which it grows from zero, s. */
@@ -38,9 +38,9 @@ namespace StickSlip
     const std::vector<Point<dim>> &)>;
 
   /**
-   * Where the slip rate is known: zero where a fault is welded, the velocity of
-   * a plate where it creeps. Tangential jumps are no unknowns there; they are
-   * masked on all levels, as the normal ones are everywhere.
+   * The nodes where the slip rate is known: zero where a fault is welded, the
+   * velocity of a plate where it creeps. Tangential jumps are no unknowns
+   * there; they are masked on all levels, as the normal ones are everywhere.
    */
   template <int dim>
   class PrescribedSlip
@@ -72,7 +72,7 @@ namespace StickSlip
   private:
     std::vector<std::vector<types::global_dof_index>> nodes_of_level;
 
-    /** Of the nodes of the finest level, slave relative to master. */
+    /** Rates at the nodes of the finest level, slave relative to master. */
     std::vector<SlipRate<dim>> finest_rates;
   };
 } // namespace StickSlip
