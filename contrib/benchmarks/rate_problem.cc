@@ -85,7 +85,7 @@ namespace
         {
           for (FaultParameters &fault : scene.faults)
             if (!state.second.empty())
-              fault.initial_state.set(state.second);
+              fault["Initial state"].set(state.second);
           unsigned int           n_in_tension = 0;
           const SystemState<dim> initial      = make_initial_state(
             scene, problem.jump_basis(), equilibrium, n_in_tension);

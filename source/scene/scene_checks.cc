@@ -202,7 +202,7 @@ namespace StickSlip
 
 
 
-    // That there is a value at each point and time.
+    /** Check that there is a value at each point and time. */
     template <int dim>
     void
     check_expression(const std::string             &path,
@@ -212,9 +212,10 @@ namespace StickSlip
     {
       try
         {
+          const Expression<dim> parsed(expression, true);
           for (const Point<dim> &point : points)
             for (const double time : times)
-              evaluate_expression(expression, point, true, time);
+              parsed.finite_value(point, time);
         }
       catch (const InputError &error)
         {
@@ -278,12 +279,13 @@ namespace StickSlip
       throw InputError(
         naming("Time/Step size control", "step doubling") +
         ": compares the states of two small steps and a large one, and no fault "
-        "has 'Friction' = 'rate and state'; choose embedded or constant.");
+        "has a 'Friction' with a state; choose embedded or constant.");
     }
 
 
 
-    /** What is said of a side of a rigid body must be a motion of all of it. */
+    /** Check that the condition on a side is a motion of all of a rigid body.
+     */
     template <int dim>
     void
     check_rigid_motion(const SceneParameters<dim>   &scene,

@@ -213,18 +213,17 @@ namespace StickSlip
       {
         const FaultLaw &law   = node_laws[k];
         double          alpha = from.alpha[k];
-        if (law.has_state)
+        if (law.state_law)
           {
             const double V =
               time_parameters.state_update == StateUpdate::exponential ?
                 0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
                 magnitude(slip_rate[k]);
-            alpha = updated_state(law.state_law,
-                                  time_parameters.state_update,
-                                  from.alpha[k],
-                                  V,
-                                  law.characteristic_slip,
-                                  tau);
+            alpha = law.state_law->updated(time_parameters.state_update,
+                                           from.alpha[k],
+                                           V,
+                                           law.characteristic_slip,
+                                           tau);
           }
         change[k]   = alpha - to.alpha[k];
         to.alpha[k] = alpha;

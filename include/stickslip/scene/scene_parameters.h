@@ -40,21 +40,21 @@ namespace StickSlip
   template <int dim>
   struct SceneParameters
   {
-    /** From bottom to top. */
+    /** Bodies from bottom to top. */
     std::vector<BodyParameters<dim>> bodies;
 
-    /** From bottom to top; fault i lies between bodies i and i+1. */
+    /** Faults from bottom to top; fault i lies between bodies i and i+1. */
     std::vector<FaultParameters> faults;
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
-    /** Along which horizontal axes all bodies are periodic. */
+    /** True for horizontal axes along which all bodies are periodic. */
     std::array<bool, dim - 1> periodic;
 
     /** Gravitational acceleration, m/s^2. */
     double gravity = 9.81;
 
-    /** By how many degrees the faults dip towards positive x. */
+    /** Angle by which the faults dip towards positive x, degrees. */
     double dip = 0.;
 
     ContactParameters contact;
