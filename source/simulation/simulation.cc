@@ -109,7 +109,7 @@ namespace StickSlip
     : scene(checked(scene, communicator))
     , communicator(communicator)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-    , mesh_hierarchy(geometries(scene), communicator)
+    , mesh_hierarchy(geometries(scene), scene.topology, communicator)
     , boundary_values(mesh_hierarchy,
                       scene.boundary_conditions,
                       body_names(scene))

@@ -17,15 +17,15 @@
 namespace StickSlip
 {
   /**
-   * The boundary conditions of a scene on its meshes: which components they
-   * fix on each level, and the values they take. All components of a rigid body
-   * are fixed, with the velocity that is given for one of its sides, or none.
+   * The boundary conditions of a scene on its meshes: the components that they
+   * fix on each level, and their values. All components of a rigid body are
+   * fixed, with the velocity that is given for one of its sides, or none.
    */
   template <int dim>
   class BoundaryValues
   {
   public:
-    /** @p body_names from the lowest body to the highest. */
+    /** @p body_names in the order of the meshes. */
     BoundaryValues(const MeshHierarchy<dim>                  &meshes,
                    const std::vector<BoundaryCondition<dim>> &conditions,
                    const std::vector<std::string>            &body_names);
@@ -39,7 +39,7 @@ namespace StickSlip
     void
     set_velocities(const double time, NodalVector &velocity);
 
-    /** Whether tractions are prescribed anywhere. */
+    /** True if tractions are prescribed anywhere. */
     bool
     has_tractions() const;
 
@@ -65,7 +65,8 @@ namespace StickSlip
   private:
     struct Side
     {
-      /** Which of its values depend on time, and the largest of each met. */
+      /** Components whose values depend on time, and the largest value of
+       * each met so far. */
       std::array<bool, dim>   varies;
       std::array<double, dim> largest;
 

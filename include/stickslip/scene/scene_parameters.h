@@ -10,6 +10,7 @@
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mesh/fault_topology.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/time/time_parameters.h>
@@ -40,21 +41,22 @@ namespace StickSlip
   template <int dim>
   struct SceneParameters
   {
-    /** From bottom to top. */
     std::vector<BodyParameters<dim>> bodies;
 
-    /** From bottom to top; fault i lies between bodies i and i+1. */
     std::vector<FaultParameters> faults;
+
+    /** The bodies and faults above, in the same order. */
+    FaultTopology topology;
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
-    /** Along which horizontal axes all bodies are periodic. */
+    /** Whether all bodies are periodic along a horizontal axis. */
     std::array<bool, dim - 1> periodic;
 
     /** Gravitational acceleration, m/s^2. */
     double gravity = 9.81;
 
-    /** By how many degrees the faults dip towards positive x. */
+    /** Dip of the faults towards positive x, degrees. */
     double dip = 0.;
 
     ContactParameters contact;
@@ -71,6 +73,16 @@ namespace StickSlip
      * last one is normal to the faults. */
     Tensor<1, dim>
     gravity_vector() const;
+
+    /** The sides of a fault along the last axis: that of the bodies below, then
+     * that of the bodies above. */
+    std::array<std::vector<BodySide>, 2>
+    below_and_above(const unsigned int fault) const;
+
+    /** The body of one side of a fault that is nearest to a point. */
+    unsigned int
+    nearest_body(const std::vector<BodySide> &side,
+                 const Point<dim>            &point) const;
   };
 } // namespace StickSlip
 
