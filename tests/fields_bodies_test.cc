@@ -20,15 +20,15 @@ using namespace StickSlip::Tests;
 TEST(BodyFields, TheSofterSideIsTheSlaveWhereStiffnessVaries)
 {
   // The lower body is soft on the whole, but not next to the fault.
-  const auto slave_is_upper = [](const std::string &E) {
+  const auto slave_is_second = [](const std::string &E) {
     return SteppingScene(creeping_bodies,
                          {"Bodies/lower/Material/Young modulus=" + E})
       .problem.jump_basis()
       .faults()[0]
-      .sides.slave_is_upper();
+      .sides.slave_is_second();
   };
-  EXPECT_TRUE(slave_is_upper("if(y > -0.1, 4e8, 1e6)"));
-  EXPECT_FALSE(slave_is_upper("if(y > -0.1, 4e6, 1e9)"));
+  EXPECT_TRUE(slave_is_second("if(y > -0.1, 4e8, 1e6)"));
+  EXPECT_FALSE(slave_is_second("if(y > -0.1, 4e6, 1e9)"));
 }
 
 
@@ -49,6 +49,32 @@ TEST(BodyFields, LithostaticStressIsTheIntegralOfTheDensityAbove)
     read_scene(creeping_bodies, {"Gravity/Acceleration=10"});
   EXPECT_EQ(lithostatic_stress(constant, 0, {Point<2>(0.3, 0.)})[0],
             5e3 * 10. * 0.5);
+}
+
+
+
+TEST(BodyFields, LithostaticStressIsThatOfTheBodyAboveThePoint)
+{
+  // Two bodies side by side on the lower one, listed before it.
+  const std::vector<std::string> g          = {"Gravity/Acceleration=10"};
+  const SceneParameters<2>       stack      = read_scene(creeping_bodies, g);
+  SceneParameters<2>             scene      = stack;
+  scene.bodies                              = {read_scene(creeping_bodies,
+                             {g[0], "Bodies/upper/Material/Density=2e3"})
+                                                 .bodies[1],
+                                               stack.bodies[1],
+                                               stack.bodies[0]};
+  scene.bodies[0].geometry.lateral_lower[0] = 0.2;
+  scene.bodies[1].geometry.lateral_upper[0] = 0.2;
+  scene.topology                            = FaultTopology(
+    {"right", "left", "lower"},
+    {{"fault",
+                                 {{{{2, BodyMesh<2>::upper_side}},
+                                   {{0, BodyMesh<2>::lower_side}, {1, BodyMesh<2>::lower_side}}}}}});
+  const std::vector<double> stress =
+    lithostatic_stress(scene, 0, {Point<2>(-0.5, 0.), Point<2>(0.7, 0.)});
+  EXPECT_EQ(stress[0], 5e3 * 10. * 0.5);
+  EXPECT_EQ(stress[1], 2e3 * 10. * 0.5);
 }
 
 

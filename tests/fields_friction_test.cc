@@ -167,7 +167,7 @@ TEST(FrictionFields, SteadySlidingOfAWeakeningPatchHasTheFrictionOfEachPart)
   NodalVector forces = scene.state.displacement;
   matrices.stiffness.vmult(forces, scene.state.displacement);
   double on_top = 0;
-  for (const auto node : surface_nodes(level, 0, BodyMesh<2>::upper_side))
+  for (const auto node : level.surface(/*fault=*/0, /*side=*/0).nodes)
     on_top += forces.local_element(2 * node);
   EXPECT_NEAR(std::abs(on_top), force, 1e-5 * force);
   // It is not that of one law.

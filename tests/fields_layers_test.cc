@@ -68,11 +68,13 @@ end
                               scene.gravity_vector());
     const InitialEquilibrium<2> equilibrium =
       solve_initial_equilibrium(problem);
-    double at_top = 0, n_top = 0;
-    for (const auto node :
-         surface_nodes(meshes.finest(), 0, BodyMesh<2>::upper_side))
+    double              at_top = 0, n_top = 0;
+    const MeshLevel<2> &level = meshes.finest();
+    for (const auto dof :
+         level.bodies[0]->dofs_on_side(BodyMesh<2>::upper_side))
       {
-        at_top += equilibrium.displacement.local_element(2 * node + 1);
+        at_top +=
+          equilibrium.displacement.local_element(2 * level.node(0, dof) + 1);
         ++n_top;
       }
     return -at_top / n_top;

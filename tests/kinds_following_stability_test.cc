@@ -100,7 +100,7 @@ namespace
 
     SystemState<2>        &state  = scene.state;
     const FaultContact<2> &fault  = scene.problem.jump_basis().faults().front();
-    const double           sign   = fault.sides.slave_is_upper() ? 1. : -1.;
+    const double           sign   = fault.sides.sign();
     const Complex          normal = theory.field(1, 0., s, c).normal;
     for (unsigned int p = 0; p < state.slip_rate.size(); ++p)
       {
@@ -120,7 +120,7 @@ namespace
   {
     const FaultContact<2> &fault  = scene.problem.jump_basis().faults().front();
     const auto            &points = fault.slave_surface.points;
-    const double           sign   = fault.sides.slave_is_upper() ? 1. : -1.;
+    const double           sign   = fault.sides.sign();
     Complex                sum    = 0;
     for (unsigned int p = 0; p < points.size(); ++p)
       sum += sign * scene.state.slip_rate[p][0] *

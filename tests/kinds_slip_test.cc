@@ -20,13 +20,13 @@ namespace
                  const unsigned int   side)
   {
     const MeshLevel<2>            &level   = simulation.meshes().finest();
-    const FaultSurface<2>         &surface = level.surface(body, side);
+    const FaultSurface<2>          surface = level.bodies[body]->surface(side);
     std::map<double, Tensor<1, 2>> values;
-    for (unsigned int k = 0; k < surface.dofs.size(); ++k)
+    for (unsigned int k = 0; k < surface.nodes.size(); ++k)
       for (unsigned int d = 0; d < 2; ++d)
         values[surface.points[k][0]][d] =
           simulation.state().displacement.local_element(
-            level.node(body, surface.dofs[k]) * 2 + d);
+            level.node(body, surface.nodes[k]) * 2 + d);
     return values;
   }
 

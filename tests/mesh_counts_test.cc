@@ -157,9 +157,9 @@ TEST(MeshCounts, SpringSliderIsThePublishedMesh)
       EXPECT_EQ(body->dof_handler().n_dofs(), 637u);
       EXPECT_EQ(cells_by_row(*body, 1.), rows);
     }
-  EXPECT_EQ(finest.bodies[0]->surface(BodyMesh<2>::upper_side).dofs.size(),
+  EXPECT_EQ(finest.bodies[0]->surface(BodyMesh<2>::upper_side).nodes.size(),
             161u);
-  EXPECT_EQ(finest.bodies[1]->surface(BodyMesh<2>::lower_side).dofs.size(),
+  EXPECT_EQ(finest.bodies[1]->surface(BodyMesh<2>::lower_side).nodes.size(),
             161u);
   EXPECT_EQ(finest.bodies[1]->surface(BodyMesh<2>::lower_side).faces.size(),
             160u);
@@ -254,8 +254,8 @@ TEST(MeshCounts, SurfacesCoverTheWholeSideInThreeDimensions)
                                                    BodyMesh<3>::lower_side);
         // Equal squares: no hanging nodes on the fault.
         const double n = std::sqrt(surface.faces.size());
-        EXPECT_EQ(surface.dofs.size(), std::lround((n + 1) * (n + 1)));
-        for (const auto dof : surface.dofs)
+        EXPECT_EQ(surface.nodes.size(), std::lround((n + 1) * (n + 1)));
+        for (const auto dof : surface.nodes)
           EXPECT_FALSE(body.bound_nodes().is_constrained(dof));
         for (const auto &point : surface.points)
           EXPECT_EQ(point[2], 3.);

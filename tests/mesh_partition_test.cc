@@ -38,6 +38,18 @@ namespace
 
 
 
+  /** The parts of the cells of a stack. */
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  parts_of(const Bodies<dim> &bodies, const unsigned int n_parts)
+  {
+    return partition_cells<dim>(bodies,
+                                numbered_stack<dim>(bodies.size()),
+                                n_parts);
+  }
+
+
+
   template <int dim>
   unsigned int
   n_cells(const Bodies<dim> &bodies)
@@ -210,7 +222,7 @@ namespace
     for (const Bodies<dim> &bodies : large_meshes<dim>())
       for (const unsigned int n_parts : numbers_of_parts)
         {
-          const auto owners = partition_cells<dim>(bodies, n_parts);
+          const auto owners = parts_of<dim>(bodies, n_parts);
           ASSERT_EQ(owners.size(), bodies.size());
           for (unsigned int b = 0; b < bodies.size(); ++b)
             ASSERT_EQ(owners[b].size(),
@@ -232,7 +244,7 @@ namespace
         const CellPairs pairs = opposing_cells<dim>(bodies);
         ASSERT_GT(pairs.size(), 100u);
         for (const unsigned int n_parts : numbers_of_parts)
-          EXPECT_LT(n_split(partition_cells<dim>(bodies, n_parts), pairs),
+          EXPECT_LT(n_split(parts_of<dim>(bodies, n_parts), pairs),
                     0.03 * pairs.size())
             << "with " << n_parts << " parts";
       }
@@ -255,7 +267,7 @@ namespace
         neighbours.insert(neighbours.end(), in_bodies.begin(), in_bodies.end());
         for (const unsigned int n_parts : numbers_of_parts)
           {
-            auto         owners = partition_cells<dim>(bodies, n_parts);
+            auto         owners = parts_of<dim>(bodies, n_parts);
             unsigned int n      = n_parts;
             while (true)
               {
@@ -286,8 +298,8 @@ namespace
   {
     for (const auto &bodies : scenes<dim>())
       for (const unsigned int n_parts : numbers_of_parts)
-        EXPECT_EQ(partition_cells<dim>(meshes<dim>(bodies), n_parts),
-                  partition_cells<dim>(meshes<dim>(bodies), n_parts));
+        EXPECT_EQ(parts_of<dim>(meshes<dim>(bodies), n_parts),
+                  parts_of<dim>(meshes<dim>(bodies), n_parts));
   }
 
 
@@ -302,7 +314,7 @@ namespace
         for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
           {
             const Bodies<dim> &bodies = hierarchy.level(l).bodies;
-            const auto         owners = partition_cells<dim>(bodies, 5);
+            const auto         owners = parts_of<dim>(bodies, 5);
             for (unsigned int b = 0; b < bodies.size(); ++b)
               {
                 const Triangulation<dim> &mesh = bodies[b]->triangulation();
@@ -338,7 +350,7 @@ namespace
   expect_inherited_owners(const std::vector<BodyGeometry<dim>> &geometries)
   {
     const MeshHierarchy<dim> hierarchy(geometries, MPI_COMM_WORLD);
-    const auto cell_owners = partition_cells<dim>(hierarchy.finest().bodies, 5);
+    const auto cell_owners = parts_of<dim>(hierarchy.finest().bodies, 5);
     for (unsigned int b = 0; b < geometries.size(); ++b)
       {
         const auto               &finest = *hierarchy.finest().bodies[b];
@@ -409,7 +421,7 @@ TEST(MeshPartition, IsAFunctionOfTheMeshes)
 TEST(MeshPartition, OnePartHasAllCells)
 {
   for (const auto &of_body :
-       partition_cells<2>(meshes<2>(layered_bodies()), /*n_parts=*/1))
+       parts_of<2>(meshes<2>(layered_bodies()), /*n_parts=*/1))
     for (const unsigned int owner : of_body)
       EXPECT_EQ(owner, 0u);
 }
@@ -423,7 +435,7 @@ TEST(MeshPartition, SomePartsMayBeEmpty)
     stack<2>({make_body<2>(1., {{3, 1}}, 0), make_body<2>(1., {{5, 1}}, 0)}));
   for (unsigned int n_parts = 1; n_parts < 40; ++n_parts)
     {
-      const auto         owners  = partition_cells<2>(bodies, n_parts);
+      const auto         owners  = parts_of<2>(bodies, n_parts);
       const auto         n       = cells_of_parts(owners, n_parts);
       const unsigned int n_empty = std::count(n.begin(), n.end(), 0u);
       EXPECT_LE(n_empty, n_parts < 8 ? n_parts / 2 : n_parts - 8);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 
+#include "stacked_bodies.h"
+
 using namespace StickSlip;
 
 namespace
@@ -95,8 +97,8 @@ namespace
   void
   expect_endless_hierarchy()
   {
-    const MeshHierarchy<dim> meshes({endless_body<dim>(), endless_body<dim>()},
-                                    MPI_COMM_SELF);
+    const MeshHierarchy<dim> meshes(
+      stack<dim>({endless_body<dim>(), endless_body<dim>()}), MPI_COMM_SELF);
     EXPECT_EQ(meshes.n_levels(), 3u);
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       for (unsigned int b = 0; b < 2; ++b)
@@ -147,10 +149,10 @@ TEST(PeriodicMesh, AColumnOfSingleCells)
   BodyGeometry<2> column   = endless_body<2>();
   column.coarse_cells      = {{1, 5}};
   column.refinement_passes = 0;
-  const BodyMesh<2> body(column, false, true);
+  const BodyMesh<2> body(column, {BodyMesh<2>::upper_side});
   expect_images(body);
   const FaultSurface<2> fault = body.surface(BodyMesh<2>::upper_side);
   ASSERT_EQ(fault.faces.size(), 1u);
-  EXPECT_EQ(fault.dofs.size(), 1u);
+  EXPECT_EQ(fault.nodes.size(), 1u);
   EXPECT_EQ(fault.face_size(0), 2.);
 }

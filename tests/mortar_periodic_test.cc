@@ -44,7 +44,7 @@ namespace
     Side<2>            side = line(breakpoints);
     const unsigned int n    = breakpoints.size() - 1;
     side.surface.period[0]  = breakpoints.back() - breakpoints.front();
-    side.surface.dofs.pop_back();
+    side.surface.nodes.pop_back();
     side.surface.points.pop_back();
     side.positions.pop_back();
     for (auto &face : side.surface.faces)
@@ -70,7 +70,7 @@ namespace
         {
           side.positions.push_back(Point<2>(x[i], y[j]));
           side.surface.points.push_back(Point<3>(x[i], y[j], 0.));
-          side.surface.dofs.push_back(side.surface.dofs.size());
+          side.surface.nodes.push_back(side.surface.nodes.size());
           side.surface.faces.emplace_back();
           side.surface.wraps.emplace_back();
           for (unsigned int v = 0; v < 4; ++v)

@@ -67,7 +67,7 @@ namespace StickSlip
       {
         side.positions.push_back(Point<1>(x));
         side.surface.points.push_back(Point<2>(x, 0.));
-        side.surface.dofs.push_back(side.surface.dofs.size());
+        side.surface.nodes.push_back(side.surface.nodes.size());
       }
     for (unsigned int i = 0; i + 1 < breakpoints.size(); ++i)
       side.surface.faces.push_back({{i, i + 1}});
@@ -91,7 +91,7 @@ namespace StickSlip
                      std::sin(angle) * a + std::cos(angle) * b));
           side.surface.points.push_back(
             Point<3>(side.positions.back()[0], side.positions.back()[1], 0.));
-          side.surface.dofs.push_back(side.surface.dofs.size());
+          side.surface.nodes.push_back(side.surface.nodes.size());
         }
     const unsigned int n = x.size();
     for (unsigned int j = 0; j + 1 < y.size(); ++j)

@@ -111,7 +111,7 @@ TEST(HardCases, TheSofterSideIsTheSlave)
           {"Bodies/" + stiff + "/Material/Young modulus=4.12e11",
                "Bodies/" + other + "/Refinement passes=" + passes}));
         EXPECT_EQ(
-          scene.problem.jump_basis().faults().front().sides.slave_is_upper(),
+          scene.problem.jump_basis().faults().front().sides.slave_is_second(),
           stiff == "lower");
         scene.advance_until(4.);
         EXPECT_LT(scene.memory.work.tnnmg_iterations,

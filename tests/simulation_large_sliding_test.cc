@@ -99,7 +99,7 @@ namespace
             const auto            place   = [&](const unsigned int k) {
               return surface.points[k][0] +
                      simulation.state().displacement.local_element(
-                       level.node(body, surface.dofs[k]) * 2);
+                       level.node(body, surface.nodes[k]) * 2);
             };
             return std::make_pair(place(0), place(surface.points.size() - 1));
           };

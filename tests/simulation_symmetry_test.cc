@@ -70,15 +70,24 @@ end
 
 
   std::vector<FaultSnapshot<2>>
-  faults_at_end(const std::string              &text,
-                const std::vector<std::string> &overrides,
+  faults_at_end(const SceneParameters<2>       &scene,
                 const std::vector<std::string> &names)
   {
-    Simulation<2> simulation(read_scene(text, overrides), MPI_COMM_WORLD);
+    Simulation<2> simulation(scene, MPI_COMM_WORLD);
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
     return snapshots(simulation, names);
+  }
+
+
+
+  std::vector<FaultSnapshot<2>>
+  faults_at_end(const std::string              &text,
+                const std::vector<std::string> &overrides,
+                const std::vector<std::string> &names)
+  {
+    return faults_at_end(read_scene(text, overrides), names);
   }
 } // namespace
 
@@ -110,6 +119,46 @@ TEST(Symmetry, MirroredLoadingGivesTheMirroredResult)
           EXPECT_NEAR(left[f].shear_traction[m][0],
                       -right[f].shear_traction[k][0],
                       1e-6 * right[f].normal_stress[k]);
+        }
+    }
+}
+
+
+
+TEST(Symmetry, BodiesAndFaultsInAnyOrderGiveTheSameResult)
+{
+  const SceneParameters<2> stack    = read_scene(three_bodies());
+  const auto               expected = faults_at_end(stack, {"first", "second"});
+
+  // Bodies and faults in another order, and the sides of one fault exchanged.
+  SceneParameters<2> scene = stack;
+  scene.bodies          = {stack.bodies[2], stack.bodies[0], stack.bodies[1]};
+  scene.faults          = {stack.faults[1], stack.faults[0]};
+  constexpr auto top    = BodyMesh<2>::upper_side,
+                 bottom = BodyMesh<2>::lower_side;
+  scene.topology        = FaultTopology({"upper", "lower", "middle"},
+                                 {{"second", {{{{0, bottom}}, {{2, top}}}}},
+                                         {"first", {{{{1, top}}, {{2, bottom}}}}}});
+  const auto found      = faults_at_end(scene, {"second", "first"});
+
+  for (unsigned int f = 0; f < 2; ++f)
+    {
+      const FaultSnapshot<2> &a    = expected[f];
+      const FaultSnapshot<2> &b    = found[1 - f];
+      const double            sign = f == 0 ? 1. : -1.;
+      SCOPED_TRACE(b.name);
+      EXPECT_EQ(a.name, b.name);
+      ASSERT_EQ(a.points, b.points);
+      for (unsigned int k = 0; k < a.points.size(); ++k)
+        {
+          EXPECT_GT(std::abs(a.slip[k][0]), 1e-6);
+          EXPECT_NEAR(a.weights[k], b.weights[k], 1e-12);
+          EXPECT_NEAR(a.normal_stress[k],
+                      b.normal_stress[k],
+                      1e-10 * a.normal_stress[k]);
+          EXPECT_NEAR(a.slip[k][0], sign * b.slip[k][0], 1e-9);
+          EXPECT_NEAR(a.slip_rate[k][0], sign * b.slip_rate[k][0], 1e-8);
+          EXPECT_NEAR(a.state[k], b.state[k], 1e-6);
         }
     }
 }
@@ -148,7 +197,7 @@ TEST(Symmetry, TheChoiceOfTheSlaveChangesOnlyTheDiscretisationError)
                   .jump_basis()
                   .faults()
                   .front()
-                  .sides.slave_is_upper(),
+                  .sides.slave_is_second(),
                 finer == 1);
       simulation.set_up();
       while (!simulation.is_finished())

@@ -124,27 +124,25 @@ TEST(Contact, NoJumpUnknownsMeanNoNormalJump)
         w.local_element(p * 2 + 1) = 0.;
       scene.problem.to_nodal(u, w);
 
-      for (const FaultContact<2> &fault : basis.faults())
+      for (unsigned int f = 0; f < basis.faults().size(); ++f)
         {
-          const auto positions = [&](const std::vector<unsigned int> &nodes,
-                                     const unsigned int               body,
+          const FaultContact<2> &fault     = basis.faults()[f];
+          const auto             positions = [&](const unsigned int side,
                                      const unsigned int component) {
             std::pair<std::vector<double>, std::vector<double>> result;
-            const auto points = level.bodies[body]->node_positions();
-            for (const unsigned int node : nodes)
+            const FaultSurface<2> &surface = level.surface(f, side);
+            for (unsigned int k = 0; k < surface.nodes.size(); ++k)
               {
-                result.first.push_back(points[node - level.node(body, 0)][0]);
-                result.second.push_back(u.local_element(node * 2 + component));
+                result.first.push_back(surface.points[k][0]);
+                result.second.push_back(
+                  u.local_element(surface.nodes[k] * 2 + component));
               }
             return result;
           };
           for (const unsigned int component : {0u, 1u})
             {
-              const auto slave =
-                positions(fault.slave_nodes, fault.sides.slave_body, component);
-              const auto master    = positions(fault.master_nodes,
-                                            fault.sides.master_body,
-                                            component);
+              const auto slave     = positions(fault.sides.slave, component);
+              const auto master    = positions(fault.sides.master, component);
               const auto integrals = dual_integrals(slave.first,
                                                     slave.second,
                                                     master.first,
@@ -187,7 +185,7 @@ TEST(Contact, NodesSlidOffTheEndCarryNothing)
         unsigned int n_off = 0, n_active = 0;
         for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
           {
-            const bool   upper = fault.sides.slave_is_upper();
+            const bool   upper = fault.sides.slave_is_second();
             const double x     = fault.slave_surface.points[k][0];
             // The place on the other side opposite to the node.
             const double opposite = x + (upper ? distance : -distance);
@@ -259,8 +257,8 @@ TEST(Contact, ForcesCarryTheWeightAbove)
                 weight_moment += b >= first_slid ? of_body * distance : 0.;
               }
             const MortarCoupling &coupling = faults[f].coupling;
-            const double sign  = faults[f].sides.slave_is_upper() ? 1. : -1.;
-            double       force = 0., moment = 0.;
+            const double          sign     = faults[f].sides.sign();
+            double                force = 0., moment = 0.;
             for (unsigned int k = 0; k < coupling.weight.size(); ++k, ++node)
               {
                 const double of_node =
@@ -300,8 +298,7 @@ TEST(Contact, LosingItIsAnError)
       }
     catch (const AgreedFailure &error)
       {
-        EXPECT_NE(std::string(error.what())
-                    .find("fault 1 (counted from below) do not touch"),
+        EXPECT_NE(std::string(error.what()).find("the fault '1' do not touch"),
                   std::string::npos)
           << error.what();
       }
@@ -314,7 +311,8 @@ TEST(Contact, LosingItIsAnError)
     }
   catch (const AgreedFailure &error)
     {
-      EXPECT_NE(std::string(error.what()).find("fault 3"), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("the fault '3'"),
+                std::string::npos)
         << error.what();
     }
 }

@@ -113,7 +113,7 @@ namespace
 
     // The whole weight of the wedge on the fault.
     const FaultContact<dim> &contact = founded.problem.jump_basis().faults()[0];
-    EXPECT_EQ(contact.sides.slave_body, 1u);
+    EXPECT_TRUE(contact.sides.slave_is_second());
     double volume = 0;
     for (const auto &cell :
          level.bodies[1]->triangulation().active_cell_iterators())
@@ -190,7 +190,8 @@ TEST(Foundation, MovesAsOneBody)
                                           {{velocity, ""}})},
                             std::vector<Material>(2),
                             Tensor<1, 2>());
-      EXPECT_EQ(scene.problem.jump_basis().faults()[0].sides.slave_body, 0u);
+      EXPECT_FALSE(
+        scene.problem.jump_basis().faults()[0].sides.slave_is_second());
       NodalVector v = scene.problem.make_nodal_vector();
       scene.boundary.set_velocities(2., v);
       const MeshLevel<2> &level = scene.meshes.finest();

@@ -27,7 +27,8 @@ namespace
       : meshes(bodies, MPI_COMM_WORLD)
     {
       for (unsigned int b = 0; b + 1 < bodies.size(); ++b)
-        sides.push_back(choose_fault_sides(meshes.finest(), b));
+        sides.push_back(
+          choose_fault_sides(meshes.finest(), meshes.topology(), b));
       for (unsigned int l = 0; l < meshes.n_levels(); ++l)
         {
           NodeMask dirichlet(meshes.level(l).nodes.n_local(), dim);
@@ -284,21 +285,17 @@ TEST(JumpBasis, SlaveIsTheFinerSide)
     const MeshHierarchy<2> meshes(stack<2>({make_body<2>(1., {{below, 2}}, 2),
                                             make_body<2>(1., {{above, 2}}, 2)}),
                                   MPI_COMM_WORLD);
-    const FaultSides       sides = choose_fault_sides(meshes.finest(), 0);
-    EXPECT_EQ(sides.slave_body + sides.master_body, 1u);
-    EXPECT_EQ(sides.slave_side,
-              sides.slave_is_upper() ? BodyMesh<2>::lower_side + 0u :
-                                       BodyMesh<2>::upper_side + 0u);
-    EXPECT_EQ(sides.master_side,
-              sides.slave_is_upper() ? BodyMesh<2>::upper_side + 0u :
-                                       BodyMesh<2>::lower_side + 0u);
+    const FaultSides       sides =
+      choose_fault_sides(meshes.finest(), meshes.topology(), 0);
+    EXPECT_EQ(sides.slave + sides.master, 1u);
+    EXPECT_EQ(sides.sign(), sides.slave_is_second() ? 1. : -1.);
     return sides;
   };
-  EXPECT_TRUE(sides_of(10, 11).slave_is_upper());
-  EXPECT_FALSE(sides_of(11, 10).slave_is_upper());
-  EXPECT_TRUE(sides_of(10, 40).slave_is_upper());
-  EXPECT_FALSE(sides_of(40, 10).slave_is_upper());
-  EXPECT_TRUE(sides_of(10, 10).slave_is_upper());
+  EXPECT_TRUE(sides_of(10, 11).slave_is_second());
+  EXPECT_FALSE(sides_of(11, 10).slave_is_second());
+  EXPECT_TRUE(sides_of(10, 40).slave_is_second());
+  EXPECT_FALSE(sides_of(40, 10).slave_is_second());
+  EXPECT_TRUE(sides_of(10, 10).slave_is_second());
 
   // The problem in space chooses them that way.
   for (const bool finer_above : {true, false})
@@ -309,7 +306,7 @@ TEST(JumpBasis, SlaveIsTheFinerSide)
         {},
         std::vector<Material>(2),
         0.);
-      EXPECT_EQ(scene.problem.jump_basis().faults()[0].sides.slave_is_upper(),
+      EXPECT_EQ(scene.problem.jump_basis().faults()[0].sides.slave_is_second(),
                 finer_above);
       EXPECT_EQ(scene.problem.jump_basis().contact_nodes().size(), 19u);
     }

@@ -47,6 +47,21 @@ namespace StickSlip
 
 
 
+  /** The topology of a stack, its bodies and faults named by numbers from one.
+   */
+  template <int dim>
+  FaultTopology
+  numbered_stack(const unsigned int n_bodies)
+  {
+    std::vector<std::string> names;
+    for (unsigned int i = 1; i <= n_bodies; ++i)
+      names.push_back(std::to_string(i));
+    std::vector<std::string> faults(names.begin(), names.end() - 1);
+    return stack_topology<dim>(names, faults);
+  }
+
+
+
   /** The bodies with all cells halved so many times before the passes. */
   template <int dim>
   std::vector<BodyGeometry<dim>>

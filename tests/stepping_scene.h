@@ -46,6 +46,7 @@ namespace StickSlip::Tests
     explicit SteppingScene(const SceneParameters<2> &parameters)
       : scene(parameters)
       , meshes({scene.bodies[0].geometry, scene.bodies[1].geometry},
+               scene.topology,
                MPI_COMM_WORLD)
       , boundary_values(meshes,
                         scene.boundary_conditions,

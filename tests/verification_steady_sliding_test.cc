@@ -100,7 +100,7 @@ namespace
 
     SystemState<2>        &state = scene.state;
     const FaultContact<2> &fault = scene.problem.jump_basis().faults().front();
-    const double           sign  = fault.sides.slave_is_upper() ? 1. : -1.;
+    const double           sign  = fault.sides.sign();
     for (unsigned int p = 0; p < state.alpha.size(); ++p)
       {
         const double wave = std::cos(k * fault.slave_surface.points[p][0]);

@@ -32,8 +32,9 @@ namespace Measure
         }
       const double bytes_at_start = allocated_bytes();
       meshes_time                 = seconds([&]() {
-        meshes =
-          std::make_unique<MeshHierarchy<dim>>(geometries, MPI_COMM_WORLD);
+        meshes = std::make_unique<MeshHierarchy<dim>>(geometries,
+                                                      scene.topology,
+                                                      MPI_COMM_WORLD);
         boundary =
           std::make_unique<BoundaryValues<dim>>(*meshes,
                                                 scene.boundary_conditions,

@@ -41,15 +41,16 @@ namespace StickSlip
       {
         const std::vector<Tensor<1, dim>> forces =
           gather_nodes<dim>(reaction, nodes, contact.slave_nodes);
-        // The reaction pushes the slave side up if that is the upper one.
-        const double sign = contact.sides.slave_is_upper() ? 1. : -1.;
+        // The reaction pushes the slave side along the normal if that is the
+        // second one.
+        const double sign = contact.sides.sign();
         for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
           {
             const unsigned int m =
               contact.coupling.active[k] ? k : nearest_in_contact(contact, k);
             // The unknown is averaging_factor times the jump of the node, and
             // so is the force on it times the weight.
-            pressures.push_back(sign * forces[m][dim - 1] /
+            pressures.push_back(sign * (contact.axes.normal() * forces[m]) /
                                 contact.coupling.weight[m]);
           }
       }

@@ -22,17 +22,15 @@ namespace StickSlip
           {
             if (!rates[f])
               continue;
-            const std::vector<types::global_dof_index> slave_nodes =
-              surface_nodes(level, sides[f].slave_body, sides[f].slave_side);
-            const std::vector<std::optional<SlipRate<dim>>> values = rates[f](
-              level.surface(sides[f].slave_body, sides[f].slave_side).points);
-            for (unsigned int k = 0; k < slave_nodes.size(); ++k)
+            const FaultSurface<dim> &slave = level.surface(f, sides[f].slave);
+            const std::vector<std::optional<SlipRate<dim>>> values =
+              rates[f](slave.points);
+            for (unsigned int k = 0; k < slave.nodes.size(); ++k)
               if (values[k])
                 {
-                  SlipRate<dim> &rate = known[slave_nodes[k]];
+                  SlipRate<dim> &rate = known[slave.nodes[k]];
                   rate                = *values[k];
-                  if (!sides[f].slave_is_upper())
-                    rate.value *= -1.;
+                  rate.value *= sides[f].sign();
                 }
           }
         nodes_of_level.emplace_back();

@@ -74,8 +74,8 @@ namespace StickSlip
         else
           {
             const FaultSurface<dim> surface = body.surface(condition.side);
-            for (unsigned int k = 0; k < surface.dofs.size(); ++k)
-              add_node(surface.dofs[k], surface.points[k]);
+            for (unsigned int k = 0; k < surface.nodes.size(); ++k)
+              add_node(surface.nodes[k], surface.points[k]);
           }
         sides.push_back(std::move(side));
       }

@@ -115,7 +115,7 @@ namespace StickSlip
 
 
 
-    /** What to evaluate, besides @p flags, for parameters that vary. */
+    /** Quantities to evaluate, besides @p flags, for parameters that vary. */
     UpdateFlags
     with_points(const UpdateFlags                  flags,
                 const std::vector<MaterialFields> &materials)
@@ -382,7 +382,7 @@ namespace StickSlip
                     const double density = at.varies() ? 1. : at[0].density;
                     for (unsigned int i = 0; i < rows.size(); ++i)
                       {
-                        // Of the density over the one above.
+                        // Factor of the density over the one above.
                         double integral = 0;
                         for (const unsigned int q :
                              fe_values.quadrature_point_indices())

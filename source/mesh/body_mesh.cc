@@ -62,14 +62,58 @@ namespace StickSlip
           mesh.execute_coarsening_and_refinement();
         }
     }
+
+
+
+    /** The normal of a face away from the centre of its cell, as long as the
+     * face is large, m^(dim-1). */
+    template <int dim>
+    Tensor<1, dim>
+    outward_area(const typename Triangulation<dim>::face_iterator &face,
+                 const Point<dim>                                 &cell_centre)
+    {
+      Tensor<1, dim> area;
+      if constexpr (dim == 2)
+        area = cross_product_2d(face->vertex(1) - face->vertex(0));
+      else
+        area = 0.5 * cross_product_3d(face->vertex(3) - face->vertex(0),
+                                      face->vertex(2) - face->vertex(1));
+      return area * (face->center() - cell_centre) > 0. ? area : -area;
+    }
+
+
+
+    /** Refine every cell with a vertex on one of the sides. */
+    template <int dim>
+    void
+    refine_at(const std::set<types::boundary_id> &sides,
+              Triangulation<dim>                 &mesh)
+    {
+      std::vector<bool> is_on_side(mesh.n_vertices(), false);
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
+            for (const auto v : face->vertex_indices())
+              is_on_side[face->vertex_index(v)] = true;
+
+      bool any = false;
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const auto v : cell->vertex_indices())
+          if (is_on_side[cell->vertex_index(v)])
+            {
+              cell->set_refine_flag();
+              any = true;
+            }
+      if (any)
+        mesh.execute_coarsening_and_refinement();
+    }
   } // namespace
 
 
 
   template <int dim>
-  BodyMesh<dim>::BodyMesh(const BodyGeometry<dim> &geometry,
-                          const bool               fault_below,
-                          const bool               fault_above)
+  BodyMesh<dim>::BodyMesh(const BodyGeometry<dim>            &geometry,
+                          const std::set<types::boundary_id> &sides_at_faults)
     : lateral_lower(geometry.lateral_lower)
     , period(geometry.period())
     , rigid(geometry.rigid)
@@ -98,32 +142,8 @@ namespace StickSlip
       }
     mesh->refine_global(geometry.uniform_refinements);
 
-    const auto touches_a_fault = [&](const auto &cell) {
-      for (const auto &vertex : cell->vertex_indices())
-        {
-          const double height    = cell->vertex(vertex)[dim - 1];
-          const double precision = 1e-10 * geometry.thickness;
-          if ((fault_below &&
-               std::abs(height - geometry.lower_corner()[dim - 1]) <
-                 precision) ||
-              (fault_above &&
-               std::abs(height - geometry.upper_corner()[dim - 1]) < precision))
-            return true;
-        }
-      return false;
-    };
     for (unsigned int pass = 0; pass < geometry.refinement_passes; ++pass)
-      {
-        bool any = false;
-        for (const auto &cell : mesh->active_cell_iterators())
-          if (touches_a_fault(cell))
-            {
-              cell->set_refine_flag();
-              any = true;
-            }
-        if (any)
-          mesh->execute_coarsening_and_refinement();
-      }
+      refine_at(sides_at_faults, *mesh);
     distribute_dofs();
   }
 
@@ -208,8 +228,8 @@ namespace StickSlip
       return {dof, wraps};
     const auto *entries = constraints.get_constraint_entries(dof);
     AssertThrow(entries != nullptr, ExcInternalError());
-    // The image of a hanging node: only its place on the other side is asked
-    // for here, and that has no node of its own.
+    // A hanging node's image: only its place on the other side is asked for
+    // here, and that has no node of its own.
     if (entries->size() != 1)
       return {dof, {}};
     return {entries->front().first, wraps};
@@ -241,11 +261,13 @@ namespace StickSlip
 
     std::map<types::global_dof_index, Point<dim>> nodes;
     std::vector<Face>                             faces;
+    Tensor<1, dim>                                outward;
     for (const auto &cell : dofs->active_cell_iterators())
       if (cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == side)
             {
+              outward += outward_area<dim>(face, cell->center());
               faces.emplace_back();
               for (unsigned int v = 0; v < n_vertices; ++v)
                 {
@@ -276,8 +298,8 @@ namespace StickSlip
     std::map<types::global_dof_index, unsigned int> position;
     for (const auto &node : sorted)
       {
-        position[node.second] = surface.dofs.size();
-        surface.dofs.push_back(node.second);
+        position[node.second] = surface.nodes.size();
+        surface.nodes.push_back(node.second);
         surface.points.push_back(node.first);
       }
     for (Face &face : faces)
@@ -296,6 +318,8 @@ namespace StickSlip
           surface.wraps.push_back(face.wraps);
       }
     surface.period = period;
+    for (unsigned int d = 0; d < dim && !faces.empty(); ++d)
+      surface.normal[d] = outward[d] / outward.norm();
     return surface;
   }
 
@@ -305,7 +329,7 @@ namespace StickSlip
   std::vector<types::global_dof_index>
   BodyMesh<dim>::dofs_on_side(const types::boundary_id side) const
   {
-    return surface(side).dofs;
+    return surface(side).nodes;
   }
 
 

@@ -26,8 +26,8 @@ namespace StickSlip
 
 
 
-    /** The cells of all bodies, one body after the other, and which of them
-     * are better owned by the same process. */
+    /** The cells of all bodies, one body after the other; an edge joins two
+     * that are better owned by the same process. */
     class CellGraph
     {
     public:
@@ -81,7 +81,7 @@ namespace StickSlip
         idx_t options[METIS_NOPTIONS];
         METIS_SetDefaultOptions(options);
         options[METIS_OPTION_NUMBERING] = 0;
-        // The same on all processes.
+        // A fixed seed gives equal results on all processes.
         options[METIS_OPTION_SEED] = 1;
 
         // By bisection, for the order of the parts in space.
@@ -142,8 +142,8 @@ namespace StickSlip
 
 
 
-    /** A cell on a fault: the extent of its face there, along the lateral axes
-     * only, and its active cell index. */
+    /** A cell on a fault: the extent of its face there, and its number in the
+     * graph. */
     template <int dim>
     using FaultCell = std::pair<BoundingBox<dim>, unsigned int>;
 
@@ -151,18 +151,20 @@ namespace StickSlip
 
     template <int dim>
     std::vector<FaultCell<dim>>
-    fault_cells(const BodyMesh<dim> &body, const types::boundary_id side)
+    fault_cells(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+                const std::vector<BodySide>                             &parts,
+                const std::vector<unsigned int> &first_cell)
     {
       std::vector<FaultCell<dim>> result;
-      for (const auto &cell : body.triangulation().active_cell_iterators())
-        if (cell->at_boundary())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && face->boundary_id() == side)
-              {
-                auto corners = face->bounding_box().get_boundary_points();
-                corners.first[dim - 1] = corners.second[dim - 1] = 0.;
-                result.emplace_back(corners, cell->active_cell_index());
-              }
+      for (const BodySide &part : parts)
+        for (const auto &cell :
+             bodies[part.body]->triangulation().active_cell_iterators())
+          if (cell->at_boundary())
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary() && face->boundary_id() == part.side)
+                result.emplace_back(face->bounding_box(),
+                                    first_cell[part.body] +
+                                      cell->active_cell_index());
       return result;
     }
 
@@ -171,32 +173,32 @@ namespace StickSlip
     /** Edges between cells whose faces on a fault overlap. */
     template <int dim>
     void
-    add_edges_across(const BodyMesh<dim> &below,
-                     const unsigned int   first_below,
-                     const BodyMesh<dim> &above,
-                     const unsigned int   first_above,
-                     CellGraph           &graph)
+    add_edges_across(const std::vector<FaultCell<dim>> &first,
+                     const std::vector<FaultCell<dim>> &second,
+                     CellGraph                         &graph)
     {
-      const auto tree =
-        pack_rtree(fault_cells(above, BodyMesh<dim>::lower_side));
+      const auto                  tree = pack_rtree(second);
       std::vector<FaultCell<dim>> found;
-      for (const auto &cell : fault_cells(below, BodyMesh<dim>::upper_side))
+      for (const auto &cell : first)
         {
-          // Smaller by more than rounding, lest faces that only touch are
-          // found.
-          auto       corners = cell.first.get_boundary_points();
-          const auto margin  = 1e-6 * (corners.second - corners.first);
-          corners.first += margin;
-          corners.second -= margin;
+          // Smaller by more than rounding along the face, lest faces that only
+          // touch are found, and larger across it, lest none is.
+          auto         corners = cell.first.get_boundary_points();
+          const auto   extent  = corners.second - corners.first;
+          const double margin  = 1e-6 * extent.norm();
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double by = extent[d] > margin ? margin : -margin;
+              corners.first[d] += by;
+              corners.second[d] -= by;
+            }
 
           found.clear();
           tree.query(boost::geometry::index::intersects(
                        BoundingBox<dim>(corners)),
                      std::back_inserter(found));
           for (const auto &other : found)
-            graph.add_edge(first_below + cell.second,
-                           first_above + other.second,
-                           across_faults);
+            graph.add_edge(cell.second, other.second, across_faults);
         }
     }
   } // namespace
@@ -207,6 +209,7 @@ namespace StickSlip
   std::vector<std::vector<unsigned int>>
   partition_cells(
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+    const FaultTopology                                     &topology,
     const unsigned int                                       n_parts)
   {
     AssertThrow(n_parts > 0, ExcMessage("There is no process to own cells."));
@@ -221,15 +224,11 @@ namespace StickSlip
       {
         CellGraph graph(first_cell.back());
         for (unsigned int i = 0; i < bodies.size(); ++i)
-          {
-            add_edges_within(*bodies[i], first_cell[i], graph);
-            if (i > 0)
-              add_edges_across(*bodies[i - 1],
-                               first_cell[i - 1],
-                               *bodies[i],
-                               first_cell[i],
-                               graph);
-          }
+          add_edges_within(*bodies[i], first_cell[i], graph);
+        for (const Fault &fault : topology.faults())
+          add_edges_across(fault_cells(bodies, fault.sides[0], first_cell),
+                           fault_cells(bodies, fault.sides[1], first_cell),
+                           graph);
         owners = graph.parts(n_parts);
       }
 
@@ -312,9 +311,11 @@ namespace StickSlip
 
   template std::vector<std::vector<unsigned int>>
   partition_cells<2>(const std::vector<std::shared_ptr<const BodyMesh<2>>> &,
+                     const FaultTopology &,
                      const unsigned int);
   template std::vector<std::vector<unsigned int>>
   partition_cells<3>(const std::vector<std::shared_ptr<const BodyMesh<3>>> &,
+                     const FaultTopology &,
                      const unsigned int);
   template std::vector<unsigned int>
   vertex_owners<2>(const BodyMesh<2> &, const std::vector<unsigned int> &);

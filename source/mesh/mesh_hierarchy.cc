@@ -3,10 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/mesh/cell_partition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace StickSlip
 {
@@ -58,16 +60,70 @@ namespace StickSlip
           owner = (group * n_processes + n_sharing - 1) / n_sharing;
         }
     }
+
+
+
+    /** Components of jumps are those along the axes of space, of which the last
+     * one must be normal to all faults. */
+    template <int dim>
+    void
+    check_level(const MeshLevel<dim> &level, const FaultTopology &topology)
+    {
+      for (unsigned int f = 0; f < topology.faults().size(); ++f)
+        {
+          const FaultSurface<dim> &first     = level.surface(f, 0);
+          const double             precision = 1e-8 * first.face_size(0);
+          for (const unsigned int side : {0, 1})
+            for (const Point<dim> &point : level.surface(f, side).points)
+              if (std::abs(point[dim - 1] - first.points[0][dim - 1]) >
+                    precision ||
+                  level.surface(f, side).normal * first.normal *
+                      (side == 0 ? 1. : -1.) <
+                    0.99)
+                throw InputError("The fault '" + topology.faults()[f].name +
+                                 "' is not level: its two sides must face "
+                                 "each other in one plane across the last "
+                                 "axis.");
+        }
+    }
+
+
+
+    std::vector<std::string>
+    numbers_from_one(const unsigned int n)
+    {
+      std::vector<std::string> result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.push_back(std::to_string(i + 1));
+      return result;
+    }
   } // namespace
 
 
 
   template <int dim>
   MeshHierarchy<dim>::MeshHierarchy(
-    const std::vector<BodyGeometry<dim>> &geometries,
+    const std::vector<BodyGeometry<dim>> &bodies,
     const MPI_Comm                       &communicator,
     const unsigned int                    min_nodes_per_process)
+    : MeshHierarchy(bodies,
+                    stack_topology<dim>(numbers_from_one(bodies.size()),
+                                        numbers_from_one(bodies.size() - 1)),
+                    communicator,
+                    min_nodes_per_process)
+  {}
+
+
+
+  template <int dim>
+  MeshHierarchy<dim>::MeshHierarchy(
+    const std::vector<BodyGeometry<dim>> &geometries,
+    const FaultTopology                  &topology,
+    const MPI_Comm                       &communicator,
+    const unsigned int                    min_nodes_per_process)
+    : faults(topology)
   {
+    AssertDimension(geometries.size(), topology.body_names().size());
     const unsigned int n_processes =
       Utilities::MPI::n_mpi_processes(communicator);
 
@@ -76,9 +132,7 @@ namespace StickSlip
     for (unsigned int i = 0; i < geometries.size(); ++i)
       meshes[0].push_back(
         std::make_shared<BodyMesh<dim>>(geometries[i],
-                                        /*fault_below=*/i > 0,
-                                        /*fault_above=*/i + 1 <
-                                          geometries.size()));
+                                        topology.sides_at_faults(i)));
     const auto can_be_coarsened = [](const auto &body) {
       return body->can_be_coarsened();
     };
@@ -93,7 +147,7 @@ namespace StickSlip
 
     std::vector<std::vector<unsigned int>>       owners_of_vertices;
     const std::vector<std::vector<unsigned int>> owners_of_cells =
-      partition_cells<dim>(meshes.front(), n_processes);
+      partition_cells<dim>(meshes.front(), topology, n_processes);
     for (unsigned int i = 0; i < geometries.size(); ++i)
       owners_of_vertices.push_back(
         vertex_owners<dim>(*meshes.front()[i], owners_of_cells[i]));
@@ -116,11 +170,13 @@ namespace StickSlip
                  std::clamp<std::size_t>(owners.size() / min_nodes_per_process,
                                          1,
                                          n_processes));
-        levels.emplace_back(meshes[l], owners, communicator);
+        levels.emplace_back(meshes[l], topology, owners, communicator);
+        if (l == 0)
+          check_level(levels.front(), topology);
       }
 
-    // Which rows of the prolongations are needed: for the nodes of a level
-    // that cells or prolongations or the contact may couple with owned ones.
+    // Rows of the prolongations that are needed: for the nodes of a level that
+    // cells or prolongations or the contact may couple with owned ones.
     for (unsigned int l = 0; l + 1 < levels.size(); ++l)
       {
         IndexSet wanted = levels[l].nodes.owned();
@@ -147,10 +203,10 @@ namespace StickSlip
 
 
   template <int dim>
-  unsigned int
-  MeshHierarchy<dim>::n_bodies() const
+  const FaultTopology &
+  MeshHierarchy<dim>::topology() const
   {
-    return levels.back().bodies.size();
+    return faults;
   }
 
 

@@ -4,9 +4,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/algebra/index_set.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/mesh/mesh_level.h>
 
 #include <algorithm>
+#include <map>
 
 namespace StickSlip
 {
@@ -41,6 +43,7 @@ namespace StickSlip
   template <int dim>
   MeshLevel<dim>::MeshLevel(
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+    const FaultTopology                                     &topology,
     const std::vector<unsigned int>                         &node_owners,
     const MPI_Comm                                          &communicator)
     : bodies(bodies)
@@ -48,11 +51,7 @@ namespace StickSlip
     , global_numbers(node_owners.size())
   {
     for (const auto &body : bodies)
-      {
-        first_node.push_back(first_node.back() + body->dof_handler().n_dofs());
-        surfaces.push_back({{body->surface(BodyMesh<dim>::lower_side),
-                             body->surface(BodyMesh<dim>::upper_side)}});
-      }
+      first_node.push_back(first_node.back() + body->dof_handler().n_dofs());
     AssertDimension(first_node.back(), node_owners.size());
 
     // Number by owner, and keep the order otherwise.
@@ -68,7 +67,15 @@ namespace StickSlip
     for (types::global_dof_index i = 0; i < n_nodes(); ++i)
       global_numbers[i] = next[node_owners[i]]++;
 
-    strip_nodes = find_strip();
+    for (const Fault &fault : topology.faults())
+      {
+        surfaces.push_back({{join(fault.sides[0]), join(fault.sides[1])}});
+        for (const FaultSurface<dim> &surface : surfaces.back())
+          if (surface.faces.empty())
+            throw InputError("A side of the fault '" + fault.name +
+                             "' has no faces.");
+      }
+    strip_nodes = find_strip(topology);
     nodes       = NodePartition(owned, find_ghosts(owned), dim, communicator);
   }
 
@@ -101,24 +108,64 @@ namespace StickSlip
 
   template <int dim>
   IndexSet
-  MeshLevel<dim>::find_strip() const
+  MeshLevel<dim>::find_strip(const FaultTopology &topology) const
   {
+    std::vector<std::set<types::boundary_id>> sides;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      sides.push_back(topology.sides_at_faults(b));
     std::vector<types::global_dof_index> strip;
-    for_each_cell(
-      *this,
-      [&](const unsigned int                          body,
-          const auto                                 &cell,
-          const std::vector<types::global_dof_index> &cell_nodes) {
-        if (cell->at_boundary())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() &&
-                ((body > 0 &&
-                  face->boundary_id() == BodyMesh<dim>::lower_side) ||
-                 (body + 1 < bodies.size() &&
-                  face->boundary_id() == BodyMesh<dim>::upper_side)))
-              strip.insert(strip.end(), cell_nodes.begin(), cell_nodes.end());
-      });
+    for_each_cell(*this,
+                  [&](const unsigned int                          body,
+                      const auto                                 &cell,
+                      const std::vector<types::global_dof_index> &cell_nodes) {
+                    if (cell->at_boundary())
+                      for (const auto &face : cell->face_iterators())
+                        if (face->at_boundary() &&
+                            sides[body].count(face->boundary_id()) > 0)
+                          strip.insert(strip.end(),
+                                       cell_nodes.begin(),
+                                       cell_nodes.end());
+                  });
     return make_index_set(n_nodes(), strip);
+  }
+
+
+
+  template <int dim>
+  FaultSurface<dim>
+  MeshLevel<dim>::join(const std::vector<BodySide> &parts) const
+  {
+    FaultSurface<dim>                               result;
+    std::map<types::global_dof_index, unsigned int> places;
+    for (const BodySide &part : parts)
+      {
+        FaultSurface<dim> surface = bodies[part.body]->surface(part.side);
+        // Parts on the same body may have nodes in common.
+        std::vector<unsigned int> place_of;
+        for (unsigned int k = 0; k < surface.nodes.size(); ++k)
+          {
+            const auto node = global_node(part.body, surface.nodes[k]);
+            const auto [place, is_new] =
+              places.emplace(node, result.nodes.size());
+            place_of.push_back(place->second);
+            if (!is_new)
+              continue;
+            result.nodes.push_back(node);
+            result.points.push_back(surface.points[k]);
+          }
+        for (auto &face : surface.faces)
+          {
+            for (unsigned int &vertex : face)
+              vertex = place_of[vertex];
+            result.faces.push_back(face);
+          }
+        result.wraps.insert(result.wraps.end(),
+                            surface.wraps.begin(),
+                            surface.wraps.end());
+        result.period = surface.period;
+        result.normal = surface.normal;
+      }
+    return result;
   }
 
 
@@ -171,13 +218,12 @@ namespace StickSlip
 
   template <int dim>
   const FaultSurface<dim> &
-  MeshLevel<dim>::surface(const unsigned int       body,
-                          const types::boundary_id side) const
+  MeshLevel<dim>::surface(const unsigned int fault,
+                          const unsigned int side) const
   {
-    Assert(side == BodyMesh<dim>::lower_side ||
-             side == BodyMesh<dim>::upper_side,
-           ExcMessage("Faults are on lower and upper sides."));
-    return surfaces[body][side == BodyMesh<dim>::upper_side ? 1 : 0];
+    AssertIndexRange(fault, surfaces.size());
+    AssertIndexRange(side, 2);
+    return surfaces[fault][side];
   }
 
 

@@ -5,28 +5,32 @@
 
 #include <stickslip/mortar/fault_displacement.h>
 
-#include <algorithm>
+#include <map>
 
 namespace StickSlip
 {
   namespace
   {
-    /** The values of @p fine at the points of @p coarse; both surfaces sort
-     * their points alike. */
+    /** The values of @p fine at the nodes of @p coarse. */
     template <int dim>
     std::vector<Tensor<1, dim>>
     inject(const FaultSurface<dim>           &coarse,
            const FaultSurface<dim>           &fine,
+           const NodalProlongation           &prolongation,
            const std::vector<Tensor<1, dim>> &values)
     {
+      std::map<types::global_dof_index, unsigned int> fine_place;
+      for (unsigned int k = 0; k < fine.nodes.size(); ++k)
+        if (const GlobalRow row = prolongation.row(fine.nodes[k]);
+            row.size() == 1)
+          fine_place[row.front().first] = k;
+
       std::vector<Tensor<1, dim>> result;
-      unsigned int                k = 0;
-      for (const Point<dim> &point : coarse.points)
+      for (const auto node : coarse.nodes)
         {
-          while (k < fine.points.size() && fine.points[k] != point)
-            ++k;
-          AssertThrow(k < fine.points.size(), ExcInternalError());
-          result.push_back(values[k]);
+          const auto place = fine_place.find(node);
+          AssertThrow(place != fine_place.end(), ExcInternalError());
+          result.push_back(values[place->second]);
         }
       return result;
     }
@@ -64,16 +68,14 @@ namespace StickSlip
                              const NodalVector             &displacement)
   {
     std::vector<FaultDisplacement<dim>> result;
-    for (const FaultSides &side : sides)
+    for (unsigned int f = 0; f < sides.size(); ++f)
       {
-        const auto gather = [&](const unsigned int       body,
-                                const types::boundary_id which) {
+        const auto gather = [&](const unsigned int side) {
           return gather_nodes<dim>(displacement,
                                    level.nodes,
-                                   surface_nodes(level, body, which));
+                                   level.surface(f, side).nodes);
         };
-        result.push_back({gather(side.slave_body, side.slave_side),
-                          gather(side.master_body, side.master_side)});
+        result.push_back({gather(sides[f].slave), gather(sides[f].master)});
       }
     return result;
   }
@@ -84,25 +86,22 @@ namespace StickSlip
   std::vector<FaultDisplacement<dim>>
   inject(const MeshLevel<dim>                      &coarse,
          const MeshLevel<dim>                      &fine,
+         const NodalProlongation                   &prolongation,
          const std::vector<FaultSides>             &sides,
          const std::vector<FaultDisplacement<dim>> &displacements)
   {
     std::vector<FaultDisplacement<dim>> result;
     for (unsigned int f = 0; f < sides.size(); ++f)
       {
-        const auto on_side = [&](const unsigned int                 body,
-                                 const types::boundary_id           which,
+        const auto on_side = [&](const unsigned int                 side,
                                  const std::vector<Tensor<1, dim>> &values) {
-          return inject(coarse.surface(body, which),
-                        fine.surface(body, which),
+          return inject(coarse.surface(f, side),
+                        fine.surface(f, side),
+                        prolongation,
                         values);
         };
-        result.push_back({on_side(sides[f].slave_body,
-                                  sides[f].slave_side,
-                                  displacements[f].slave),
-                          on_side(sides[f].master_body,
-                                  sides[f].master_side,
-                                  displacements[f].master)});
+        result.push_back({on_side(sides[f].slave, displacements[f].slave),
+                          on_side(sides[f].master, displacements[f].master)});
       }
     return result;
   }
@@ -122,6 +121,7 @@ namespace StickSlip
   template std::vector<FaultDisplacement<dim>> inject<dim>(        \
     const MeshLevel<dim> &,                                        \
     const MeshLevel<dim> &,                                        \
+    const NodalProlongation &,                                     \
     const std::vector<FaultSides> &,                               \
     const std::vector<FaultDisplacement<dim>> &);
 

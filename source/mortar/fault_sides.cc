@@ -27,53 +27,42 @@ namespace StickSlip
   template <int dim>
   FaultSides
   choose_fault_sides(const MeshLevel<dim> &level,
-                     const unsigned int    lower,
+                     const FaultTopology  &topology,
+                     const unsigned int    fault,
                      const double          stiffness_ratio)
   {
-    constexpr auto top        = BodyMesh<dim>::upper_side;
-    constexpr auto bottom     = BodyMesh<dim>::lower_side;
-    const double   size_below = face_sizes(level.surface(lower, top)).first;
-    const double   size_above =
-      face_sizes(level.surface(lower + 1, bottom)).first;
+    const auto is_rigid = [&](const unsigned int side) {
+      const std::vector<BodySide> &parts = topology.faults()[fault].sides[side];
+      return std::all_of(parts.begin(), parts.end(), [&](const BodySide &part) {
+        return level.bodies[part.body]->is_rigid();
+      });
+    };
+    const double first_size  = face_sizes(level.surface(fault, 0)).first;
+    const double second_size = face_sizes(level.surface(fault, 1)).first;
     // Equal numbers differ by rounding.
     const auto is_less = [](const double a, const double b) {
       return a < (1. - 1e-8) * b;
     };
-    const bool lower_is_slave =
-      level.bodies[lower + 1]->is_rigid() ? true :
-      level.bodies[lower]->is_rigid()     ? false :
-      stiffness_ratio > 4.                ? true :
-      stiffness_ratio < 0.25              ? false :
-      is_less(size_below, size_above)     ? true :
-      is_less(size_above, size_below)     ? false :
-                                            is_less(1., stiffness_ratio);
-    if (lower_is_slave)
-      return {lower, lower + 1, top, bottom};
-    return {lower + 1, lower, bottom, top};
+    const bool first_is_slave =
+      is_rigid(1)                      ? true :
+      is_rigid(0)                      ? false :
+      stiffness_ratio > 4.             ? true :
+      stiffness_ratio < 0.25           ? false :
+      is_less(first_size, second_size) ? true :
+      is_less(second_size, first_size) ? false :
+                                         is_less(1., stiffness_ratio);
+    if (first_is_slave)
+      return {0, 1};
+    return {1, 0};
   }
 
 
 
-  template <int dim>
-  std::vector<types::global_dof_index>
-  surface_nodes(const MeshLevel<dim>    &level,
-                const unsigned int       body,
-                const types::boundary_id side)
-  {
-    std::vector<types::global_dof_index> nodes;
-    for (const auto dof : level.surface(body, side).dofs)
-      nodes.push_back(level.global_node(body, dof));
-    return nodes;
-  }
-
-
-
-#define STICKSLIP_INSTANTIATE(dim)                                         \
-  template FaultSides choose_fault_sides<dim>(const MeshLevel<dim> &,      \
-                                              const unsigned int,          \
-                                              const double);               \
-  template std::vector<types::global_dof_index> surface_nodes<dim>(        \
-    const MeshLevel<dim> &, const unsigned int, const types::boundary_id); \
+#define STICKSLIP_INSTANTIATE(dim)                                    \
+  template FaultSides choose_fault_sides<dim>(const MeshLevel<dim> &, \
+                                              const FaultTopology &,  \
+                                              const unsigned int,     \
+                                              const double);          \
   template std::pair<double, double> face_sizes<dim>(const FaultSurface<dim> &);
 
   STICKSLIP_INSTANTIATE(2)

@@ -11,13 +11,13 @@ namespace StickSlip
   {
     template <int dim>
     std::vector<Point<dim - 1>>
-    current_positions(const FaultSurface<dim>           &surface,
+    current_positions(const FaultAxes<dim>              &axes,
+                      const FaultSurface<dim>           &surface,
                       const std::vector<Tensor<1, dim>> &displacement)
     {
-      std::vector<Point<dim - 1>> positions(surface.points.size());
-      for (unsigned int p = 0; p < positions.size(); ++p)
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          positions[p][d] = surface.points[p][d] + displacement[p][d];
+      std::vector<Point<dim - 1>> positions;
+      for (unsigned int p = 0; p < surface.points.size(); ++p)
+        positions.push_back(axes.in_plane(surface.points[p] + displacement[p]));
       return positions;
     }
 
@@ -46,13 +46,11 @@ namespace StickSlip
         const FaultSides &side = sides[f];
         FaultContact<dim> contact;
         contact.sides         = side;
-        contact.slave_surface = level.surface(side.slave_body, side.slave_side);
-        const FaultSurface<dim> &master =
-          level.surface(side.master_body, side.master_side);
-        contact.slave_nodes =
-          surface_nodes(level, side.slave_body, side.slave_side);
-        contact.master_nodes =
-          surface_nodes(level, side.master_body, side.master_side);
+        contact.axes          = FaultAxes<dim>(level.surface(f, 0).normal);
+        contact.slave_surface = level.surface(f, side.slave);
+        const FaultSurface<dim> &master = level.surface(f, side.master);
+        contact.slave_nodes             = contact.slave_surface.nodes;
+        contact.master_nodes            = master.nodes;
         contact.smallest_face =
           std::min(face_sizes(contact.slave_surface).second,
                    face_sizes(master).second);
@@ -62,9 +60,11 @@ namespace StickSlip
           excluded.push_back(!dirichlet.is_fully_active(p));
         contact.coupling = build_mortar_coupling<dim>(
           contact.slave_surface,
-          current_positions(contact.slave_surface, displacements[f].slave),
+          current_positions(contact.axes,
+                            contact.slave_surface,
+                            displacements[f].slave),
           master,
-          current_positions(master, displacements[f].master),
+          current_positions(contact.axes, master, displacements[f].master),
           excluded);
 
         const MortarCoupling &coupling = contact.coupling;

@@ -38,7 +38,7 @@ namespace StickSlip
       if (std::binary_search(prescribed_slip.begin(), prescribed_slip.end(), p))
         mask.mask_node(p);
       else
-        mask.mask(p, dim - 1);
+        mask.mask(p, FaultAxes<dim>::normal_component);
     return mask;
   }
 

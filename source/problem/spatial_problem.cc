@@ -13,25 +13,41 @@ namespace StickSlip
 {
   namespace
   {
-    /** The shear modulus of a body where it meets a fault: the mean over the
+    /** The shear modulus of a body on one of its sides: the mean over the
      * nodes there, if it varies. That of a rigid body is not asked for. */
     template <int dim>
     double
-    shear_modulus_on_side(const MeshLevel<dim>    &level,
-                          const unsigned int       body,
-                          const types::boundary_id side,
-                          const MaterialFields    &material)
+    shear_modulus(const BodyMesh<dim>     &body,
+                  const types::boundary_id side,
+                  const MaterialFields    &material)
     {
-      if (level.bodies[body]->is_rigid())
+      if (body.is_rigid())
         return 1.;
       if (material.are_constant())
         return material.constants().shear_modulus();
       const auto function = material.function<dim>();
       double     sum      = 0;
-      const auto points   = level.surface(body, side).points;
+      const auto points   = body.surface(side).points;
       for (const Point<dim> &point : points)
         sum += function(point).shear_modulus();
       return sum / points.size();
+    }
+
+
+
+    /** The mean of the shear moduli of the parts of one side of a fault. */
+    template <int dim>
+    double
+    shear_modulus(const MeshLevel<dim>              &level,
+                  const std::vector<BodySide>       &parts,
+                  const std::vector<MaterialFields> &materials)
+    {
+      double sum = 0;
+      for (const BodySide &part : parts)
+        sum += shear_modulus(*level.bodies[part.body],
+                             part.side,
+                             materials[part.body]);
+      return sum / parts.size();
     }
 
 
@@ -62,15 +78,15 @@ namespace StickSlip
     : mesh_hierarchy(meshes)
     , boundary(boundary_values)
   {
-    const MeshLevel<dim> &finest = meshes.finest();
-    for (unsigned int lower = 0; lower + 1 < meshes.n_bodies(); ++lower)
+    const MeshLevel<dim>     &finest = meshes.finest();
+    const std::vector<Fault> &faults = meshes.topology().faults();
+    for (unsigned int f = 0; f < faults.size(); ++f)
       sides.push_back(choose_fault_sides(
         finest,
-        lower,
-        shear_modulus_on_side(
-          finest, lower + 1, BodyMesh<dim>::lower_side, materials[lower + 1]) /
-          shear_modulus_on_side(
-            finest, lower, BodyMesh<dim>::upper_side, materials[lower])));
+        meshes.topology(),
+        f,
+        shear_modulus(finest, faults[f].sides[1], materials) /
+          shear_modulus(finest, faults[f].sides[0], materials)));
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       dirichlet_masks.push_back(boundary.dirichlet_mask(l));
     if (std::any_of(slip_rates.begin(),
@@ -146,15 +162,19 @@ namespace StickSlip
       {
         const MeshLevel<dim> &level = mesh_hierarchy.level(l);
         if (l + 1 < n_levels)
-          displacements =
-            inject(level, mesh_hierarchy.level(l + 1), sides, displacements);
+          displacements = inject(level,
+                                 mesh_hierarchy.level(l + 1),
+                                 mesh_hierarchy.prolongation(l + 1),
+                                 sides,
+                                 displacements);
         bases.emplace_back(level, sides, displacements, dirichlet_masks[l]);
       }
     std::reverse(bases.begin(), bases.end());
     for (unsigned int i = 0; i < bases.back().faults().size(); ++i)
       if (!(bases.back().faults()[i].coupling.covered_area > 0.))
-        throw AgreedFailure("The two sides of fault " + std::to_string(i + 1) +
-                            " (counted from below) do not touch.");
+        throw AgreedFailure("The two sides of the fault '" +
+                            mesh_hierarchy.topology().faults()[i].name +
+                            "' do not touch.");
 
     if (levels &&
         Utilities::MPI::n_mpi_processes(finest.nodes.communicator()) == 1)
@@ -422,7 +442,7 @@ namespace StickSlip
   {
     const LevelDescription<dim> &finest = levels->finest();
     for (const unsigned int p : finest.nonsmooth_nodes)
-      w.local_element(p * dim + dim - 1) = 0.;
+      w.local_element(p * dim + FaultAxes<dim>::normal_component) = 0.;
     if (prescribed_slip)
       prescribed_slip->set_slip_rates(time, *finest_basis, finest.nodes, w);
   }

@@ -40,8 +40,7 @@ namespace StickSlip
       }
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        const std::vector<Point<dim>> points =
-          fault_points(scene.bodies[f].geometry, scene.bodies[f + 1].geometry);
+        const std::vector<Point<dim>> points = fault_points(scene, f);
         for (const FaultPart &part : scene.faults[f].parts(points))
           for (const Tensor<1, dim - 1> &rate :
                part.friction->prescribed_slip_rates(part.select(points),

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/mesh/body_mesh.h>
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/scene/loading_rate.h>
@@ -130,6 +131,46 @@ namespace StickSlip
 
 
 
+    /** Two bodies on the two sides of a fault. */
+    template <int dim>
+    void
+    check_neighbours(const SceneParameters<dim> &scene,
+                     const BodyParameters<dim>  &below,
+                     const BodyParameters<dim>  &above)
+    {
+      if (below.geometry.rigid && above.geometry.rigid)
+        throw InputError(naming("Bodies/" + above.name + "/Rigid", "true") +
+                         ": '" + below.name +
+                         "' below is rigid too; of two neighbours at least one "
+                         "must deform.");
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        {
+          const auto extent = [axis](const BodyParameters<dim> &body) {
+            return std::make_pair(body.geometry.lateral_lower[axis],
+                                  body.geometry.lateral_upper[axis]);
+          };
+          const auto range = [&extent](const BodyParameters<dim> &body) {
+            return shortest_form(extent(body).first) + ", " +
+                   shortest_form(extent(body).second);
+          };
+          const std::string entry =
+            naming("Bodies/" + above.name + "/Lower and Upper lateral corner",
+                   range(above)) +
+            " along " + "xy"[axis];
+          if (std::max(extent(below).first, extent(above).first) >=
+              std::min(extent(below).second, extent(above).second))
+            throw InputError(entry + ": must overlap those of '" + below.name +
+                             "' below, '" + range(below) +
+                             "', for there to be a fault between the two.");
+          if (scene.periodic[axis] && extent(below) != extent(above))
+            throw InputError(entry + ": must be those of '" + below.name +
+                             "' below, '" + range(below) + "', since '" +
+                             periodic_entry(axis) + "' = 'true'.");
+        }
+    }
+
+
+
     template <int dim>
     void
     check_bodies(const SceneParameters<dim> &scene)
@@ -151,7 +192,8 @@ namespace StickSlip
         {
           const BodyGeometry<dim> &geometry = bodies[i].geometry;
           const std::string        path     = "Bodies/" + bodies[i].name + "/";
-          if (geometry.is_sloped() && i + 1 < bodies.size())
+          if (geometry.is_sloped() &&
+              scene.topology.is_at_fault(i, BodyMesh<dim>::upper_side))
             throw InputError("'" + path +
                              "Upper slope': must be 0, since the "
                              "fault above is level; only the highest body may "
@@ -160,44 +202,16 @@ namespace StickSlip
             throw InputError("'" + path +
                              "Upper slope': must be 0 for a body "
                              "with 'Rigid' = 'true'.");
-          if (geometry.rigid && i > 0 && bodies[i - 1].geometry.rigid)
-            throw InputError(naming(path + "Rigid", "true") + ": '" +
-                             bodies[i - 1].name +
-                             "' below is rigid too; of two neighbours at least "
-                             "one must deform.");
           check_slope(bodies[i]);
         }
 
-      for (unsigned int i = 1; i < bodies.size(); ++i)
-        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-          {
-            const BodyGeometry<dim> &below = bodies[i - 1].geometry;
-            const BodyGeometry<dim> &above = bodies[i].geometry;
-            const auto               range = [axis](const auto &geometry) {
-              return shortest_form(geometry.lateral_lower[axis]) + ", " +
-                     shortest_form(geometry.lateral_upper[axis]);
-            };
-            if (std::max(below.lateral_lower[axis],
-                         above.lateral_lower[axis]) >=
-                std::min(below.lateral_upper[axis], above.lateral_upper[axis]))
-              throw InputError(
-                naming("Bodies/" + bodies[i].name +
-                         "/Lower and Upper lateral corner",
-                       range(above)) +
-                " along " + "xy"[axis] + ": must overlap those of '" +
-                bodies[i - 1].name + "' below, '" + range(below) +
-                "', for there to be a fault between the two.");
-            if (scene.periodic[axis] &&
-                (below.lateral_lower[axis] != above.lateral_lower[axis] ||
-                 below.lateral_upper[axis] != above.lateral_upper[axis]))
-              throw InputError(naming("Bodies/" + bodies[i].name +
-                                        "/Lower and Upper lateral corner",
-                                      range(above)) +
-                               " along " + "xy"[axis] + ": must be those of '" +
-                               bodies[i - 1].name + "' below, '" +
-                               range(below) + "', since '" +
-                               periodic_entry(axis) + "' = 'true'.");
-          }
+      for (unsigned int f = 0; f < scene.faults.size(); ++f)
+        {
+          const auto [below, above] = scene.below_and_above(f);
+          for (const BodySide &lower : below)
+            for (const BodySide &upper : above)
+              check_neighbours(scene, bodies[lower.body], bodies[upper.body]);
+        }
     }
 
 
@@ -249,8 +263,7 @@ namespace StickSlip
       for (unsigned int i = 0; i < scene.faults.size(); ++i)
         {
           const FaultParameters &fault  = scene.faults[i];
-          const auto             points = fault_points(scene.bodies[i].geometry,
-                                           scene.bodies[i + 1].geometry);
+          const auto             points = fault_points(scene, i);
           for (const FaultPart &part : fault.parts(points))
             part.friction->check(part.select(points), part.section);
           if (fault.normal_stress_source == NormalStressSource::function)
@@ -322,8 +335,15 @@ namespace StickSlip
     void
     check_boundary_conditions(const SceneParameters<dim> &scene)
     {
+      // A stack stands on its lowest body.
+      const BodyParameters<dim> &lowest =
+        *std::min_element(scene.bodies.begin(),
+                          scene.bodies.end(),
+                          [](const auto &a, const auto &b) {
+                            return a.geometry.base < b.geometry.base;
+                          });
       std::array<bool, dim> held;
-      held.fill(scene.bodies.front().geometry.rigid);
+      held.fill(lowest.geometry.rigid);
       for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
         for (const BodyParameters<dim> &body : scene.bodies)
           if (body.name == condition.body && body.geometry.rigid)
@@ -345,7 +365,7 @@ namespace StickSlip
               const std::string &expression = condition.expression[component];
               const BoundaryType type       = condition.type[component];
 
-              if (condition.body == scene.bodies.front().name &&
+              if (condition.body == lowest.name &&
                   (type == BoundaryType::fixed ||
                    type == BoundaryType::velocity))
                 held[component] = true;
@@ -371,7 +391,7 @@ namespace StickSlip
         if (!held[component])
           throw InputError(
             "'Boundary conditions/Sides': no side of the lowest body '" +
-            scene.bodies.front().name + "' has '" + "xyz"[component] +
+            lowest.name + "' has '" + "xyz"[component] +
             " condition' = 'fixed' or 'velocity', so the bodies could float "
             "away along " +
             "xyz"[component] + "; at least one must.");

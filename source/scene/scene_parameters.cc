@@ -5,6 +5,7 @@
 
 #include <stickslip/scene/scene_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace StickSlip
@@ -18,6 +19,39 @@ namespace StickSlip
     result[0]       = gravity * std::sin(angle);
     result[dim - 1] = -gravity * std::cos(angle);
     return result;
+  }
+
+
+
+  template <int dim>
+  std::array<std::vector<BodySide>, 2>
+  SceneParameters<dim>::below_and_above(const unsigned int fault) const
+  {
+    std::array<std::vector<BodySide>, 2> sides = topology.faults()[fault].sides;
+    const auto                           base  = [&](const auto &side) {
+      return bodies[side.front().body].geometry.base;
+    };
+    if (base(sides[1]) < base(sides[0]))
+      std::swap(sides[0], sides[1]);
+    return sides;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  SceneParameters<dim>::nearest_body(const std::vector<BodySide> &side,
+                                     const Point<dim>            &point) const
+  {
+    const auto distance = [&](const BodySide &part) {
+      return bodies[part.body].geometry.within_sides(point).distance(point);
+    };
+    return std::min_element(side.begin(),
+                            side.end(),
+                            [&](const BodySide &a, const BodySide &b) {
+                              return distance(a) < distance(b);
+                            })
+      ->body;
   }
 
 

@@ -205,8 +205,8 @@ namespace StickSlip
 
   template <int dim>
   BoundaryCondition<dim>
-  SceneReader::named_side(const std::string                      &name,
-                          const std::vector<BodyParameters<dim>> &bodies) const
+  SceneReader::named_side(const std::string          &name,
+                          const SceneParameters<dim> &scene) const
   {
     const std::string context =
       naming(*find("Boundary conditions/Sides")) + ": '" + name + "' ";
@@ -215,12 +215,12 @@ namespace StickSlip
     BoundaryCondition<dim> condition;
     condition.body = name.substr(0, space);
     const auto body =
-      std::find_if(bodies.begin(),
-                   bodies.end(),
+      std::find_if(scene.bodies.begin(),
+                   scene.bodies.end(),
                    [&condition](const BodyParameters<dim> &candidate) {
                      return candidate.name == condition.body;
                    });
-    if (body == bodies.end())
+    if (body == scene.bodies.end())
       throw InputError(context + "is on no body; the bodies are " +
                        find("Bodies/Names")->value + ".");
 
@@ -234,8 +234,7 @@ namespace StickSlip
                        join_names(sides) + ".");
     condition.side = side - sides.begin();
 
-    if ((condition.side == 2 * dim - 1 && body + 1 != bodies.end()) ||
-        (condition.side == 2 * dim - 2 && body != bodies.begin()))
+    if (scene.topology.is_at_fault(body - scene.bodies.begin(), condition.side))
       throw InputError(context +
                        "is a fault; conditions are allowed on outer sides "
                        "only.");
@@ -282,8 +281,11 @@ namespace StickSlip
           std::to_string(scene.bodies.size()) + " of 'Bodies/Names'.");
       }
 
+    scene.topology =
+      stack_topology<dim>(names("Bodies/Names", 1), names("Faults/Names", 1));
+
     for (const std::string &name : names("Boundary conditions/Sides", 2))
-      scene.boundary_conditions.push_back(named_side<dim>(name, scene.bodies));
+      scene.boundary_conditions.push_back(named_side<dim>(name, scene));
     return scene;
   }
 

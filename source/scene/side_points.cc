@@ -84,35 +84,60 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** Points of the fault between two bodies; none if they do not meet. */
+    template <int dim>
+    std::vector<Point<dim>>
+    points_between(const BodyGeometry<dim> &below,
+                   const BodyGeometry<dim> &above)
+    {
+      Point<dim> lower = above.lower_corner();
+      Point<dim> upper = below.upper_corner();
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        {
+          lower[axis] =
+            std::max(below.lateral_lower[axis], above.lateral_lower[axis]);
+          upper[axis] =
+            std::min(below.lateral_upper[axis], above.lateral_upper[axis]);
+          if (lower[axis] >= upper[axis])
+            return {};
+        }
+
+      // The corners and the centre first, which are easier to read in messages.
+      std::vector<Point<dim>> points =
+        points_of_flat_brick(lower, upper, dim - 1);
+      constexpr unsigned int n_intervals = 20;
+      for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1);
+           ++i)
+        {
+          Point<dim> point = lower;
+          for (unsigned int axis = 0, place = i; axis + 1 < dim; ++axis)
+            {
+              point[axis] += (upper[axis] - lower[axis]) *
+                             (place % (n_intervals + 1)) / n_intervals;
+              place /= n_intervals + 1;
+            }
+          points.push_back(point);
+        }
+      return points;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<Point<dim>>
-  fault_points(const BodyGeometry<dim> &below, const BodyGeometry<dim> &above)
+  fault_points(const SceneParameters<dim> &scene, const unsigned int fault)
   {
-    Point<dim> lower = above.lower_corner();
-    Point<dim> upper = below.upper_corner();
-    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-      {
-        lower[axis] =
-          std::max(below.lateral_lower[axis], above.lateral_lower[axis]);
-        upper[axis] =
-          std::min(below.lateral_upper[axis], above.lateral_upper[axis]);
-      }
-
-    // The corners and the centre first, which are easier to read in messages.
-    std::vector<Point<dim>> points =
-      points_of_flat_brick(lower, upper, dim - 1);
-    constexpr unsigned int n_intervals = 20;
-    for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1); ++i)
-      {
-        Point<dim> point = lower;
-        for (unsigned int axis = 0, place = i; axis + 1 < dim; ++axis)
-          {
-            point[axis] += (upper[axis] - lower[axis]) *
-                           (place % (n_intervals + 1)) / n_intervals;
-            place /= n_intervals + 1;
-          }
-        points.push_back(point);
-      }
+    const auto [below, above] = scene.below_and_above(fault);
+    std::vector<Point<dim>> points;
+    for (const BodySide &lower : below)
+      for (const BodySide &upper : above)
+        for (const Point<dim> &point :
+             points_between(scene.bodies[lower.body].geometry,
+                            scene.bodies[upper.body].geometry))
+          points.push_back(point);
     return points;
   }
 
@@ -127,7 +152,7 @@ namespace StickSlip
   template std::vector<Point<3>>
   body_points(const BodyGeometry<3> &);
   template std::vector<Point<2>>
-  fault_points(const BodyGeometry<2> &, const BodyGeometry<2> &);
+  fault_points(const SceneParameters<2> &, const unsigned int);
   template std::vector<Point<3>>
-  fault_points(const BodyGeometry<3> &, const BodyGeometry<3> &);
+  fault_points(const SceneParameters<3> &, const unsigned int);
 } // namespace StickSlip

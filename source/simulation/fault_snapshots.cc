@@ -21,10 +21,10 @@ namespace StickSlip
       {
         FaultSnapshot<dim>      &snapshot = snapshots[f];
         const FaultContact<dim> &contact  = basis.faults()[f];
-        const double sign = contact.sides.slave_is_upper() ? 1. : -1.;
-        snapshot.name     = names[f];
-        snapshot.points   = contact.slave_surface.points;
-        snapshot.weights  = contact.coupling.weight;
+        const double             sign     = contact.sides.sign();
+        snapshot.name                     = names[f];
+        snapshot.points                   = contact.slave_surface.points;
+        snapshot.weights                  = contact.coupling.weight;
         for (unsigned int k = nodes.first_of_fault()[f];
              k < nodes.first_of_fault()[f + 1];
              ++k)

@@ -24,17 +24,20 @@ namespace StickSlip
       std::vector<double> damping(points.size(), 0.);
       if (scene.time.inertia != Inertia::quasi_dynamic)
         return damping;
-      for (const unsigned int side : {fault, fault + 1})
-        {
-          const BodyParameters<dim> &body = scene.bodies[side];
-          if (body.geometry.rigid)
-            continue;
-          const auto material = body.material.template function<dim>();
-          for (unsigned int k = 0; k < points.size(); ++k)
-            damping[k] +=
-              1. /
-              material(body.geometry.within_sides(points[k])).shear_impedance();
-        }
+      for (const std::vector<BodySide> &side :
+           scene.topology.faults()[fault].sides)
+        for (const BodySide &part : side)
+          {
+            const BodyParameters<dim> &body = scene.bodies[part.body];
+            if (body.geometry.rigid)
+              continue;
+            const auto material = body.material.template function<dim>();
+            for (unsigned int k = 0; k < points.size(); ++k)
+              if (scene.nearest_body(side, points[k]) == part.body)
+                damping[k] +=
+                  1. / material(body.geometry.within_sides(points[k]))
+                         .shear_impedance();
+          }
       for (double &value : damping)
         value = 1. / value;
       return damping;

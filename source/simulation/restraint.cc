@@ -5,6 +5,7 @@
 #include <stickslip/simulation/restraint.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace StickSlip
 {
@@ -31,6 +32,45 @@ namespace StickSlip
             return true;
         }
       return false;
+    }
+
+
+
+    /** The bodies that can be reached from each other across faults that resist
+     * slip, ascending; the groups in the order of their first bodies. */
+    template <int dim>
+    std::vector<std::vector<unsigned int>>
+    bodies_that_hang_together(const FaultTopology    &topology,
+                              const FaultNodes<dim>  &faults,
+                              const NodeLaws         &laws,
+                              const SystemState<dim> &state)
+    {
+      const unsigned int        n_bodies = topology.body_names().size();
+      std::vector<unsigned int> first(n_bodies);
+      std::iota(first.begin(), first.end(), 0);
+      for (unsigned int f = 0; f < topology.faults().size(); ++f)
+        if (resists_slip(faults, laws, state, f))
+          {
+            const auto &sides = topology.faults()[f].sides;
+            for (const BodySide &a : sides[0])
+              for (const BodySide &b : sides[1])
+                {
+                  const auto ends = std::minmax(first[a.body], first[b.body]);
+                  const unsigned int kept = ends.first, joined = ends.second;
+                  std::replace(first.begin(), first.end(), joined, kept);
+                }
+          }
+      std::vector<std::vector<unsigned int>> groups;
+      for (unsigned int k = 0; k < n_bodies; ++k)
+        {
+          groups.emplace_back();
+          for (unsigned int b = k; b < n_bodies; ++b)
+            if (first[b] == k)
+              groups.back().push_back(b);
+          if (groups.back().empty())
+            groups.pop_back();
+        }
+      return groups;
     }
 
 
@@ -66,23 +106,19 @@ namespace StickSlip
   {
     if (scene.time.inertia == Inertia::dynamic)
       return;
+    const std::vector<std::vector<unsigned int>> groups =
+      bodies_that_hang_together(scene.topology, faults, laws, state);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-      // Bodies from first to last hang together.
-      for (unsigned int first = 0, last = 0; first < scene.bodies.size();
-           first = last + 1)
+      for (const std::vector<unsigned int> &group : groups)
         {
-          last         = first;
-          bool is_held = is_held_by_a_side(scene, first, axis);
-          while (last + 1 < scene.bodies.size() &&
-                 resists_slip(faults, laws, state, last))
-            {
-              ++last;
-              is_held = is_held || is_held_by_a_side(scene, last, axis);
-            }
-          if (!is_held)
+          if (std::none_of(group.begin(),
+                           group.end(),
+                           [&](const unsigned int body) {
+                             return is_held_by_a_side(scene, body, axis);
+                           }))
             throw InputError(
               "'Time/Inertia' = 'quasi-static': nothing holds the body '" +
-              scene.bodies[first].name + "' along " + "xy"[axis] +
+              scene.bodies[group.front()].name + "' along " + "xy"[axis] +
               ", neither a side with '" + "xy"[axis] +
               " condition' = 'fixed' or 'velocity' nor friction that grows with the "
               "slip rate, "

@@ -60,6 +60,7 @@ namespace StickSlip
     , communicator(communicator)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , mesh_hierarchy(members_of(scene.bodies, &BodyParameters<dim>::geometry),
+                     scene.topology,
                      communicator)
     , boundary_values(mesh_hierarchy,
                       scene.boundary_conditions,

@@ -80,9 +80,12 @@ namespace StickSlip
         const FaultContact<dim> &contact = problem.jump_basis().faults()[f];
         const std::string        section = "Fault " + fault_names[f];
         summary.add_count(section, "nodes", contact.slave_nodes.size());
-        summary.add(section,
-                    "slave body",
-                    body_names[contact.sides.slave_body]);
+        std::string slave_bodies;
+        for (const BodySide &part :
+             problem.meshes().topology().faults()[f].sides[contact.sides.slave])
+          slave_bodies +=
+            (slave_bodies.empty() ? "" : ", ") + body_names[part.body];
+        summary.add(section, "slave body", slave_bodies);
         summary.add(section,
                     "area in contact",
                     contact.coupling.covered_area,

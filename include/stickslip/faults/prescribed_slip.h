@@ -22,7 +22,7 @@ namespace StickSlip
   template <int dim>
   struct SlipRate
   {
-    /** Velocity of the upper side relative to the lower one, m/s. */
+    /** Slip rate of the second side relative to the first, m/s. */
     Tensor<1, dim - 1> value;
 
     /** Time in which it grows from zero, s. */
@@ -38,7 +38,7 @@ namespace StickSlip
     const std::vector<Point<dim>> &)>;
 
   /**
-   * The nodes where the slip rate is known: zero where a fault is welded, the
+   * Parts of faults whose slip rate is known: zero where a fault is welded, the
    * velocity of a plate where it creeps. Tangential jumps are no unknowns
    * there; they are masked on all levels, as the normal ones are everywhere.
    */
@@ -46,8 +46,8 @@ namespace StickSlip
   class PrescribedSlip
   {
   public:
-    /** @p sides, @p rates: one entry a fault, from bottom to top; an empty
-     * function for a fault that has no such part. */
+    /** @p sides, @p rates: one entry a fault; an empty function for a fault
+     * that has no such part. */
     PrescribedSlip(const MeshHierarchy<dim>          &meshes,
                    const std::vector<FaultSides>     &sides,
                    const std::vector<SlipRates<dim>> &rates);

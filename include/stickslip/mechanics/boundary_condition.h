@@ -14,7 +14,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * What is prescribed for one component on one side of a body.
+   * The kind of condition for one component on one side of a body.
    */
   enum class BoundaryType
   {

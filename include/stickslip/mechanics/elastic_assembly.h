@@ -33,8 +33,8 @@ namespace StickSlip
   };
 
   /**
-   * Assemble the matrices; @p materials from the lowest body to the highest.
-   * That of the mass only @p with_mass. Parameters that vary are taken at the
+   * Assemble the matrices; @p materials in the order of the bodies.
+   * The mass matrix only @p with_mass. Parameters that vary are taken at the
    * quadrature points.
    *
    * Where a material asks for the mean volumetric strain of the cell, that

@@ -7,7 +7,7 @@
 namespace StickSlip
 {
   /**
-   * What the change of volume is in the stiffness and viscosity of a cell.
+   * The change of volume in the stiffness and viscosity of a cell.
    */
   enum class VolumetricStrain
   {
@@ -44,7 +44,7 @@ namespace StickSlip
     /** Bulk viscosity zeta, Pa s. */
     double bulk_viscosity = 1e3;
 
-    /** How the change of volume is discretised. */
+    /** Discretisation of the change of volume. */
     VolumetricStrain volumetric_strain = VolumetricStrain::full;
 
     /** First Lame parameter lambda = E nu / ((1 + nu)(1 - 2 nu)), Pa. */

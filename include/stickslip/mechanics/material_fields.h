@@ -28,7 +28,7 @@ namespace StickSlip
     SpatialField shear_viscosity = Material().shear_viscosity;
     SpatialField bulk_viscosity  = Material().bulk_viscosity;
 
-    /** How the change of volume is discretised. */
+    /** Discretisation of the change of volume. */
     VolumetricStrain volumetric_strain = Material().volumetric_strain;
 
     /** The subsection of the entries, for messages. */
@@ -36,14 +36,14 @@ namespace StickSlip
 
     MaterialFields() = default;
 
-    /** The same parameters everywhere. */
+    /** Constant parameters. */
     MaterialFields(const Material &material);
 
-    /** Whether all parameters are numbers. */
+    /** True if all parameters are numbers. */
     bool
     are_constant() const;
 
-    /** Whether there may be any viscosity. */
+    /** True if there may be any viscosity. */
     bool
     is_viscous() const;
 

@@ -28,8 +28,8 @@ namespace StickSlip
     std::array<double, dim - 1> lateral_lower;
     std::array<double, dim - 1> lateral_upper;
 
-    /** Whether the body goes on for ever along a horizontal axis: its two sides
-     * there are one, and fields repeat after its extent. */
+    /** True where the body goes on for ever along a horizontal axis: its two
+     * sides there are one, and fields repeat after its extent. */
     std::array<bool, dim - 1> periodic;
 
     /** Extent along the vertical axis, m; where the upper side slopes, that
@@ -39,7 +39,7 @@ namespace StickSlip
     /** Rise of the upper side along each horizontal axis, without unit. */
     std::array<double, dim - 1> upper_slope;
 
-    /** Whether the body does not deform. */
+    /** True if the body does not deform. */
     bool rigid = false;
 
     /** Elevation of the lower side, m; follows from the bodies below. */
@@ -48,7 +48,7 @@ namespace StickSlip
     /** Coarse cells along each axis. */
     std::array<unsigned int, dim> coarse_cells;
 
-    /** How many times all cells are refined before the passes. */
+    /** Number of refinements of all cells before the passes. */
     unsigned int uniform_refinements = 0;
 
     /** Number of passes that refine the cells touching a fault. */
@@ -59,7 +59,7 @@ namespace StickSlip
     Point<dim>
     lower_corner() const;
 
-    /** With the thickness at the lower lateral corner. */
+    /** Upper corner with the thickness at the lower lateral corner. */
     Point<dim>
     upper_corner() const;
 
@@ -67,7 +67,7 @@ namespace StickSlip
     double
     thickness_at(const Point<dim> &point) const;
 
-    /** Where a point of the brick from lower_corner() to upper_corner() lies
+    /** Position of a point of the brick from lower_corner() to upper_corner()
      * when the upper side slopes: the thickness changes in proportion. */
     Point<dim>
     sloped(const Point<dim> &point) const;
@@ -76,12 +76,12 @@ namespace StickSlip
     Point<dim>
     within_sides(const Point<dim> &point) const;
 
-    /** Whether the upper side is not level. */
+    /** True if the upper side is not level. */
     bool
     is_sloped() const;
 
-    /** After how much fields repeat along each horizontal axis, m; zero: the
-     * body ends there. */
+    /** Length after which fields repeat along each horizontal axis, m; zero:
+     * the body ends there. */
     Tensor<1, dim - 1>
     period() const;
 

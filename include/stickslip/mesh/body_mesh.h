@@ -12,6 +12,7 @@
 #include <stickslip/mesh/fault_surface.h>
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace StickSlip
@@ -23,9 +24,9 @@ namespace StickSlip
    * piecewise (multi)linear functions on it, one number a node, and the
    * constraints of the bound nodes: hanging ones, and those on the upper side
    * along a periodic axis, which follow their images on the lower one. Every
-   * process has the whole mesh, with
-   * the same numbers of cells, vertices and degrees of freedom; who owns what
-   * is decided elsewhere, for all bodies together.
+   * process has the whole mesh, with the same numbers of cells, vertices and
+   * degrees of freedom. Owners are found for all bodies together, see
+   * MeshHierarchy.
    */
   template <int dim>
   class BodyMesh
@@ -33,17 +34,15 @@ namespace StickSlip
   public:
     /**
      * The mesh of a body: coarse cells, refined all over, then passes that
-     * each refine every cell touching the lower or the upper side where that
-     * is a fault.
+     * each refine every cell with a vertex on one of the @p sides_at_faults.
      */
-    BodyMesh(const BodyGeometry<dim> &geometry,
-             const bool               fault_below,
-             const bool               fault_above);
+    BodyMesh(const BodyGeometry<dim>            &geometry,
+             const std::set<types::boundary_id> &sides_at_faults);
 
     /** The mesh in which every cell of @p finer that can be is coarsened. */
     explicit BodyMesh(const BodyMesh &finer);
 
-    /** Whether any cell is the child of another. */
+    /** True if any cell is the child of another. */
     bool
     can_be_coarsened() const;
 
@@ -51,7 +50,8 @@ namespace StickSlip
     static constexpr types::boundary_id lower_side = 2 * (dim - 1);
     static constexpr types::boundary_id upper_side = 2 * (dim - 1) + 1;
 
-    /** The faces and nodes on one side. */
+    /** The faces and nodes on one side; nodes have the numbers of their degrees
+     * of freedom. */
     FaultSurface<dim>
     surface(const types::boundary_id side) const;
 
@@ -77,12 +77,12 @@ namespace StickSlip
     const AffineConstraints<double> &
     bound_nodes() const;
 
-    /** After how much fields repeat along each horizontal axis, m; zero: the
-     * body ends there. */
+    /** Length after which fields repeat along each horizontal axis, m; zero:
+     * the body ends there. */
     const Tensor<1, dim - 1> &
     lateral_period() const;
 
-    /** Whether the body does not deform; it has one cell then. */
+    /** True if the body does not deform; it has one cell then. */
     bool
     is_rigid() const;
 
@@ -99,7 +99,7 @@ namespace StickSlip
     node_of_vertex(const types::global_dof_index dof,
                    const Point<dim>             &vertex) const;
 
-    /** Where the body begins and how far it goes along periodic axes. */
+    /** Lower end of the body, and its length along periodic axes. */
     std::array<double, dim - 1> lateral_lower;
     Tensor<1, dim - 1>          period;
     bool                        rigid;

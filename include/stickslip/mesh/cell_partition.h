@@ -5,6 +5,7 @@
 #define stickslip_mesh_cell_partition_h
 
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/fault_topology.h>
 
 namespace StickSlip
 {
@@ -16,13 +17,14 @@ namespace StickSlip
    * powers of two, parts of neighbouring numbers are neighbours in space. Parts
    * in excess of the number of cells own nothing.
    *
-   * @p bodies from bottom to top, every inner side a fault. The result depends
-   * on nothing else, so that each process finds the same without messages.
+   * The result depends on the arguments alone, so that each process finds the
+   * same without messages.
    */
   template <int dim>
   std::vector<std::vector<unsigned int>>
   partition_cells(
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+    const FaultTopology                                     &topology,
     const unsigned int                                       n_parts);
 
   /**
@@ -37,8 +39,8 @@ namespace StickSlip
                 const std::vector<unsigned int> &cell_owners);
 
   /**
-   * The same for a coarser mesh of the body: the owners of the vertices of the
-   * finer one at the same places.
+   * Owners of the vertices of a coarser mesh of the body: the owners of the
+   * vertices of the finer one at the same places.
    */
   template <int dim>
   std::vector<unsigned int>

@@ -17,9 +17,8 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * The trace of one body's mesh on a fault: the boundary faces there and the
-   * nodes they join. On a periodic body, faces at its end join nodes of both
-   * ends.
+   * Some boundary faces of meshes, such as one side of a fault, and the nodes
+   * they join. On a periodic body, faces at its end join nodes of both ends.
    */
   template <int dim>
   struct FaultSurface
@@ -27,27 +26,32 @@ namespace StickSlip
     static constexpr unsigned int n_vertices =
       GeometryInfo<dim>::vertices_per_face;
 
-    /** Scalar degrees of freedom of the body's DoFHandler, in the order of
-     * their positions (x first, then y). */
-    std::vector<types::global_dof_index> dofs;
+    /** Numbers of the nodes, as BodyMesh or MeshLevel count them. Nodes of
+     * one part of a boundary are in the order of their positions (x first, then
+     * y). */
+    std::vector<types::global_dof_index> nodes;
 
-    /** Reference positions of these, m. */
+    /** Reference positions of the nodes, m. */
     std::vector<Point<dim>> points;
 
-    /** For each face, the positions in the two arrays above of its vertices in
+    /** For each face, the places in the two arrays above of its vertices in
      * deal.II's order. */
     std::vector<std::array<unsigned int, n_vertices>> faces;
 
-    /** After how much the surface repeats along each horizontal axis, m; zero:
-     * it ends there. */
+    /** Unit vector out of the bodies: the mean over the surface, if that is not
+     * plane. */
+    Tensor<1, dim> normal;
+
+    /** Length after which the surface repeats along each horizontal axis, m;
+     * zero: it ends there. */
     Tensor<1, dim - 1> period;
 
-    /** How many periods from its node each vertex of a face lies. Empty if the
-     * surface ends along all axes. */
+    /** Number of periods between each vertex of a face and its node. Empty if
+     * the surface ends along all axes. */
     std::vector<std::array<std::array<int, dim - 1>, n_vertices>> wraps;
 
-    /** Where the vertices of a face are in the fault plane, m, when the nodes
-     * are at @p positions. */
+    /** Positions of the vertices of a face in the fault plane, m, when the
+     * nodes are at @p positions. */
     std::array<Point<dim - 1>, n_vertices>
     face_vertices(const std::vector<Point<dim - 1>> &positions,
                   const unsigned int                 face) const;

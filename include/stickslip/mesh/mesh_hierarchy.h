@@ -24,10 +24,18 @@ namespace StickSlip
   {
   public:
     /**
-     * Bodies from bottom to top; every inner side is a fault. A level but the
-     * finest is shared by no more processes than there are multiples of
-     * @p min_nodes_per_process in it.
+     * The bodies in the order of the @p topology. A level but the finest is
+     * shared by no more processes than there are multiples of
+     * @p min_nodes_per_process in it. Throws InputError if a fault is not level
+     * or its sides have no faces.
      */
+    MeshHierarchy(const std::vector<BodyGeometry<dim>> &bodies,
+                  const FaultTopology                  &topology,
+                  const MPI_Comm                       &communicator,
+                  const unsigned int min_nodes_per_process = 500);
+
+    /** Bodies of a stack from bottom to top, they and their faults named by
+     * numbers from one. */
     MeshHierarchy(const std::vector<BodyGeometry<dim>> &bodies,
                   const MPI_Comm                       &communicator,
                   const unsigned int min_nodes_per_process = 500);
@@ -35,8 +43,8 @@ namespace StickSlip
     unsigned int
     n_levels() const;
 
-    unsigned int
-    n_bodies() const;
+    const FaultTopology &
+    topology() const;
 
     const MeshLevel<dim> &
     level(const unsigned int l) const;
@@ -54,6 +62,7 @@ namespace StickSlip
     prolongation(const unsigned int l) const;
 
   private:
+    FaultTopology                  faults;
     std::vector<MeshLevel<dim>>    levels;
     std::vector<NodalProlongation> prolongations;
   };

@@ -6,6 +6,7 @@
 
 #include <stickslip/algebra/node_partition.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/fault_topology.h>
 
 namespace StickSlip
 {
@@ -14,13 +15,12 @@ namespace StickSlip
    * their nodes, by owner, and for each owner body after body in the order of
    * the bodies' DoFHandlers. On one process that is body after body.
    *
-   * What is said here of nodes is known to every process for all nodes, but
-   * for local indices.
+   * Every process knows all of this for all nodes, but for local indices.
    */
   template <int dim>
   struct MeshLevel
   {
-    /** From the lowest body to the highest. A body that cannot be coarsened
+    /** Meshes in the order of the topology. A body that cannot be coarsened
      * further appears with the same mesh on several levels. */
     std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
 
@@ -31,9 +31,11 @@ namespace StickSlip
     MeshLevel() = default;
 
     /**
-     * @p node_owners: the process of each node, body after body. Collective.
+     * @p node_owners: the process of each node, body after body. Throws
+     * InputError if a side of a fault has no faces. Collective.
      */
     MeshLevel(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+              const FaultTopology                                     &topology,
               const std::vector<unsigned int> &node_owners,
               const MPI_Comm                  &communicator);
 
@@ -55,9 +57,10 @@ namespace StickSlip
     std::vector<std::pair<types::global_dof_index, double>>
     resolve(const unsigned int body, const types::global_dof_index dof) const;
 
-    /** The trace of a body on one of its sides. */
+    /** The first (0) or second (1) side of a fault, its nodes by global number,
+     * one part of the side after the other. */
     const FaultSurface<dim> &
-    surface(const unsigned int body, const types::boundary_id side) const;
+    surface(const unsigned int fault, const unsigned int side) const;
 
     /** Global numbers of the nodes of all cells at faults, those to which
      * hanging ones are bound. */
@@ -69,12 +72,15 @@ namespace StickSlip
     find_ghosts(const IndexSet &owned) const;
 
     IndexSet
-    find_strip() const;
+    find_strip(const FaultTopology &topology) const;
+
+    FaultSurface<dim>
+    join(const std::vector<BodySide> &parts) const;
 
     /** Position in global_numbers of the first node of each body. */
     std::vector<types::global_dof_index> first_node;
     std::vector<types::global_dof_index> global_numbers;
-    /** Lower and upper side of each body. */
+    /** First and second side of each fault. */
     std::vector<std::array<FaultSurface<dim>, 2>> surfaces;
     IndexSet                                      strip_nodes;
   };

@@ -37,7 +37,7 @@ namespace StickSlip
     /** Column and value of the entries of a row, columns ascending. */
     using SparseRow = std::vector<std::pair<unsigned int, double>>;
 
-    /** Whether the node carries contact. All else is zero or empty if not. */
+    /** True if the node carries contact. All else is zero or empty if not. */
     std::vector<bool> active;
 
     /** Integral of psi_p, m^(dim-1). The sum is covered_area. */

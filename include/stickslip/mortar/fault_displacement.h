@@ -6,6 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <stickslip/mesh/nodal_prolongation.h>
 #include <stickslip/mortar/fault_sides.h>
 
 #include <vector>
@@ -14,8 +15,7 @@ namespace StickSlip
 {
   /**
    * Displacements of the nodes on both sides of one fault, m, in the order of
-   * the surfaces. Every process has those of all nodes: what is exchanged of
-   * the geometry is of the size of the faults.
+   * the surfaces. Every process has those of all nodes of the fault.
    */
   template <int dim>
   struct FaultDisplacement
@@ -43,13 +43,15 @@ namespace StickSlip
                              const NodalVector             &displacement);
 
   /**
-   * The same on a coarser level, whose nodes are at places of nodes of the
-   * finer one.
+   * The displacements of all faults on a coarser level from those on the next
+   * finer one. A coarse node is at the place of the fine node whose row of the
+   * @p prolongation is that node alone.
    */
   template <int dim>
   std::vector<FaultDisplacement<dim>>
   inject(const MeshLevel<dim>                      &coarse,
          const MeshLevel<dim>                      &fine,
+         const NodalProlongation                   &prolongation,
          const std::vector<FaultSides>             &sides,
          const std::vector<FaultDisplacement<dim>> &displacements);
 } // namespace StickSlip

@@ -9,45 +9,47 @@
 namespace StickSlip
 {
   /**
-   * Which side of a fault carries the multipliers and the jumps.
+   * The side of a fault that carries the multipliers and the jumps, the slave,
+   * and the other one: the first (0) or the second (1) side of the topology.
    */
   struct FaultSides
   {
-    unsigned int       slave_body, master_body;
-    types::boundary_id slave_side, master_side;
+    unsigned int slave = 1, master = 0;
 
     bool
-    slave_is_upper() const
+    slave_is_second() const
     {
-      return slave_body > master_body;
+      return slave == 1;
+    }
+
+    /** The jump from the first side to the second over that from master to
+     * slave: 1 or -1. */
+    double
+    sign() const
+    {
+      return slave_is_second() ? 1. : -1.;
     }
   };
 
   /**
-   * The sides of the fault between the bodies @p lower and lower + 1. Slave is,
-   * in this order,
+   * The sides of a fault of a level whose bodies are those of the @p topology.
+   * Slave is, in this order,
    *
-   * - the side of the body that deforms, if the other one is rigid;
-   * - the side of the softer body, if the other one is more than four times as
-   *   stiff: multigrid and the rate problem of a stiff slave are hard to solve;
+   * - the side that deforms, if the other one is rigid;
+   * - the softer side, if the other one is more than four times as stiff:
+   *   multigrid and the rate problem of a stiff slave are hard to solve;
    * - the side with the smaller faces on average;
-   * - the side of the softer body;
-   * - the upper one.
+   * - the softer side;
+   * - the second one.
    *
-   * @p stiffness_ratio: a modulus of the upper body over that of the lower one.
+   * @p stiffness_ratio: a modulus of the second side over that of the first.
    */
   template <int dim>
   FaultSides
   choose_fault_sides(const MeshLevel<dim> &level,
-                     const unsigned int    lower,
+                     const FaultTopology  &topology,
+                     const unsigned int    fault,
                      const double          stiffness_ratio = 1.);
-
-  /** The numbers of the nodes of a surface of one body. */
-  template <int dim>
-  std::vector<types::global_dof_index>
-  surface_nodes(const MeshLevel<dim>    &level,
-                const unsigned int       body,
-                const types::boundary_id side);
 
   /** Extents of the faces of a surface: their mean and their least, m. */
   template <int dim>

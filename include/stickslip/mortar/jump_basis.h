@@ -7,6 +7,7 @@
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/mesh/nodal_prolongation.h>
 #include <stickslip/mortar/dual_mortar.h>
+#include <stickslip/mortar/fault_axes.h>
 #include <stickslip/mortar/fault_displacement.h>
 
 #include <map>
@@ -15,12 +16,13 @@ namespace StickSlip
 {
   /**
    * One fault on one level: the global numbers of the nodes on both sides, in
-   * the order of the surfaces, and how they are coupled.
+   * the order of the surfaces, and their coupling.
    */
   template <int dim>
   struct FaultContact
   {
     FaultSides                           sides;
+    FaultAxes<dim>                       axes;
     FaultSurface<dim>                    slave_surface;
     std::vector<types::global_dof_index> slave_nodes;
     std::vector<types::global_dof_index> master_nodes;
@@ -53,7 +55,7 @@ namespace StickSlip
     /**
      * @param level The meshes.
      * @param displacements The fault is coupled as it is after these.
-     * @param sides, displacements One entry a fault, from bottom to top.
+     * @param sides, displacements One entry a fault of the topology.
      * @param dirichlet Nodes with a component masked here are no contact
      *   nodes; over the global numbers of the level.
      */
@@ -77,7 +79,8 @@ namespace StickSlip
     const std::vector<types::global_dof_index> &
     contact_nodes() const;
 
-    /** Local indices of those that this process owns, ascending. */
+    /** Local indices of the active slave nodes that this process owns,
+     * ascending. */
     std::vector<unsigned int>
     owned_contact_nodes(const NodePartition &nodes) const;
 

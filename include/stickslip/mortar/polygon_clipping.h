@@ -27,7 +27,7 @@ namespace StickSlip
   signed_area(const Polygon &polygon);
 
   /**
-   * Whether the vertices run counter-clockwise around a convex polygon of
+   * True if the vertices run counter-clockwise around a convex polygon of
    * positive area. Angles of 180 degrees are allowed.
    */
   bool

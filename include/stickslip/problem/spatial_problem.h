@@ -40,10 +40,9 @@ namespace StickSlip
       stiffness = 2
     };
 
-    /** @p materials from the lowest body to the highest; @p gravity: its
-     * acceleration, m/s^2. Without inertia M is never assembled.
-     * @p slip_rates: where the slip rate is known, one entry a fault, or none
-     * at all. */
+    /** @p materials in the order of the bodies; @p gravity: its acceleration,
+     * m/s^2. Without inertia M is never assembled. @p slip_rates: where the
+     * slip rate is known, one entry a fault, or none at all. */
     SpatialProblem(const MeshHierarchy<dim>          &meshes,
                    const std::vector<MaterialFields> &materials,
                    BoundaryValues<dim>               &boundary_values,

@@ -10,6 +10,7 @@
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mesh/fault_topology.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/time/time_parameters.h>
@@ -40,11 +41,12 @@ namespace StickSlip
   template <int dim>
   struct SceneParameters
   {
-    /** Bodies from bottom to top. */
     std::vector<BodyParameters<dim>> bodies;
 
-    /** Faults from bottom to top; fault i lies between bodies i and i+1. */
     std::vector<FaultParameters> faults;
+
+    /** The bodies and faults above, in the same order. */
+    FaultTopology topology;
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
@@ -71,6 +73,16 @@ namespace StickSlip
      * last one is normal to the faults. */
     Tensor<1, dim>
     gravity_vector() const;
+
+    /** The sides of a fault along the last axis: that of the bodies below, then
+     * that of the bodies above. */
+    std::array<std::vector<BodySide>, 2>
+    below_and_above(const unsigned int fault) const;
+
+    /** The body of one side of a fault that is nearest to a point. */
+    unsigned int
+    nearest_body(const std::vector<BodySide> &side,
+                 const Point<dim>            &point) const;
   };
 } // namespace StickSlip
 

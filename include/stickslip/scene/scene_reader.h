@@ -56,8 +56,8 @@ namespace StickSlip
 
     template <int dim>
     BoundaryCondition<dim>
-    named_side(const std::string                      &name,
-               const std::vector<BodyParameters<dim>> &bodies) const;
+    named_side(const std::string          &name,
+               const SceneParameters<dim> &scene) const;
 
     std::string             file_name;
     std::vector<Assignment> assignments;

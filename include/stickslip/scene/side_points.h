@@ -26,12 +26,13 @@ namespace StickSlip
   body_points(const BodyGeometry<dim> &body);
 
   /**
-   * The corners and the centre of the common part of two bodies' fault, and a
-   * grid of 21 points along each axis, m.
+   * The corners and the centre of a fault, as far as its two sides lie opposite
+   * to each other, and a grid of 21 points along each axis, m; of each pair of
+   * bodies on the two sides.
    */
   template <int dim>
   std::vector<Point<dim>>
-  fault_points(const BodyGeometry<dim> &below, const BodyGeometry<dim> &above);
+  fault_points(const SceneParameters<dim> &scene, const unsigned int fault);
 } // namespace StickSlip
 
 #endif

@@ -13,8 +13,10 @@ namespace StickSlip
   /**
    * The weight per area of all bodies above a fault, Pa, at each of some
    * points of it: the sum of the integrals of rho over the thickness of the
-   * bodies along the last axis, times the part of gravity along that. Where a
-   * body does not reach that far, it is taken as it is at its side. A density
+   * bodies along the last axis, times the part of gravity along that. Bodies
+   * above are those on the upper side of the fault and of the faults on top of
+   * them; of several on one side the nearest one counts. Beyond its sides a
+   * body is taken as it is there. A density
    * that varies is integrated by Gauss quadrature with two points in each of
    * 200 parts of the thickness. Throws InputError if it is out of range.
    */

@@ -11,7 +11,7 @@
 namespace StickSlip
 {
   /**
-   * The friction laws of all slave nodes, from bottom to top. Nodes of a fault
+   * The friction laws of all slave nodes, fault after fault. Nodes of a fault
    * with the same parameters share one. With the radiation damping of plane
    * shear waves into both bodies (Rice 1993), as they are at the node, if the
    * scene is quasi-dynamic.
