@@ -6,7 +6,6 @@
 #include <stickslip/base/magnitude.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/faults/contact_pressure.h>
-#include <stickslip/problem/rigid_body_modes.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/backward_differences.h>
 #include <stickslip/time/newmark.h>
@@ -47,7 +46,7 @@ namespace StickSlip
                      const TNNMGParameters &parameters)
     {
       if (method == RateSolver::condensed_newton)
-        return std::make_unique<CondensedSolver<dim>>(problem.hierarchy(),
+        return std::make_unique<CondensedSolver<dim>>(problem.operators(),
                                                       parameters);
       if (parameters.linear_correction == LinearCorrectionType::amg)
         return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
@@ -291,7 +290,7 @@ namespace StickSlip
     problem.to_nodal(to.velocity, w);
     to.slip_rate          = fault_nodes.tangential_jumps(w);
     to.balancing_traction = balancing_tractions(
-      fault_nodes, node_laws, to, problem.hierarchy().matrix(), rhs, w);
+      fault_nodes, node_laws, to, problem.operators().matrix(), rhs, w);
     time_scheme->complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       throw StepFailure("the solution is not a number");
@@ -316,7 +315,7 @@ namespace StickSlip
                                        const NodalVector &w) const
   {
     NodalVector reaction = problem.make_vector();
-    problem.hierarchy().matrix().residual(reaction, rhs, w);
+    problem.operators().matrix().residual(reaction, rhs, w);
     reaction *= -1.;
     return contact_pressures(problem.jump_basis(),
                              problem.hierarchy().finest().nodes,

@@ -21,72 +21,73 @@ namespace StickSlip
   template <int dim>
   using LargestLoads = std::vector<std::array<double, dim>>;
 
+  /**
    * The boundary conditions of a scene on its meshes: the components that they
    * fix on each level, and their values. All components of a rigid body are
    * fixed, with the velocity that is given for one of its sides, or none.
    */
   template <int dim>
   class BoundaryValues
-   {
-   public:
-     /** @p body_names in the order of the meshes. */
-     BoundaryValues(const MeshHierarchy<dim>                  &meshes,
-                    const std::vector<BoundaryCondition<dim>> &conditions,
-                    const std::vector<std::string>            &body_names);
+  {
+  public:
+    /** @p body_names in the order of the meshes. */
+    BoundaryValues(const MeshHierarchy<dim>                  &meshes,
+                   const std::vector<BoundaryCondition<dim>> &conditions,
+                   const std::vector<std::string>            &body_names);
 
-     /** The components on level @p l whose velocity is prescribed, over the
-      * global numbers of all nodes. */
-     NodeMask
-     dirichlet_mask(const unsigned int l) const;
+    /** The components on level @p l whose velocity is prescribed, over the
+     * global numbers of all nodes. */
+    NodeMask
+    dirichlet_mask(const unsigned int l) const;
 
-     /** Set the prescribed velocities of owned nodes at @p time, m/s. */
-     void
-     set_velocities(const double time, NodalVector &velocity);
+    /** Set the prescribed velocities of owned nodes at @p time, m/s. */
+    void
+    set_velocities(const double time, NodalVector &velocity);
 
-     /** True if tractions are prescribed anywhere. */
-     bool
-     has_tractions() const;
+    /** True if tractions are prescribed anywhere. */
+    bool
+    has_tractions() const;
 
-     /** Add the load of the prescribed tractions at @p time to owned nodes,
-      * N. */
-     void
-     add_tractions(const double time, NodalVector &load);
+    /** Add the load of the prescribed tractions at @p time to owned nodes,
+     * N. */
+    void
+    add_tractions(const double time, NodalVector &load);
 
-     /** The length of the longest ramp, s. */
-     double
-     longest_ramp() const;
+    /** The length of the longest ramp, s. */
+    double
+    longest_ramp() const;
 
-     /**
-      * The error of a step from @p time on if all that is known of the loads
-      * are their values at its two ends: of the displacement of driven sides,
-      * and of the impulse of tractions, compared with Simpson's rule, over the
-      * step size and the largest value met so far on the same side, which is
-      * kept in
-      * @p largest. Zero for loads that do not depend on time. Collective.
-      */
-     double
-     loading_error(const double       time,
-                   const double       tau,
-                   LargestLoads<dim> &largest);
+    /**
+     * The error of a step from @p time on if all that is known of the loads
+     * are their values at its two ends: of the displacement of driven sides,
+     * and of the impulse of tractions, compared with Simpson's rule, over the
+     * step size and the largest value met so far on the same side, which is
+     * kept in
+     * @p largest. Zero for loads that do not depend on time. Collective.
+     */
+    double
+    loading_error(const double       time,
+                  const double       tau,
+                  LargestLoads<dim> &largest);
 
-   private:
-     struct Side
-     {
-       /** Components whose values depend on time. */
-       std::array<bool, dim> varies;
+  private:
+    struct Side
+    {
+      /** Components whose values depend on time. */
+      std::array<bool, dim> varies;
 
-       unsigned int           body;
-       BoundaryCondition<dim> condition;
-       /** One for each component, without the ramp. */
-       std::vector<Expression<dim>> values;
-       /** The owned nodes. */
-       std::vector<unsigned int> nodes;
-       std::vector<Point<dim>>   points;
-     };
+      unsigned int           body;
+      BoundaryCondition<dim> condition;
+      /** One for each component, without the ramp. */
+      std::vector<Expression<dim>> values;
+      /** The owned nodes. */
+      std::vector<unsigned int> nodes;
+      std::vector<Point<dim>>   points;
+    };
 
-     const MeshHierarchy<dim> &meshes;
-     std::vector<Side>         sides;
-   };
+    const MeshHierarchy<dim> &meshes;
+    std::vector<Side>         sides;
+  };
 } // namespace StickSlip
 
 #endif
