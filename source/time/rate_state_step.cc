@@ -48,10 +48,6 @@ namespace StickSlip
       if (method == RateSolver::condensed_newton)
         return std::make_unique<CondensedSolver<dim>>(problem.operators(),
                                                       parameters);
-      if (parameters.linear_correction == LinearCorrectionType::amg)
-        return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
-                                                  parameters,
-                                                  rigid_body_modes(problem));
       return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
                                                 parameters);
     }
