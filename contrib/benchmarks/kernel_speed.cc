@@ -114,7 +114,7 @@ namespace
 
 
 
-  /** What the bytes of a row of @p table are. */
+  /** Bytes of a row of @p table. */
   struct Cost
   {
     unsigned int dim;
@@ -145,7 +145,7 @@ namespace
              3 * number_bytes;
     }
 
-    /** The same matrix with scalar entries. */
+    /** That matrix with scalar entries. */
     double
     scalar_product() const
     {
