@@ -315,10 +315,10 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Options                                  options(argc, argv);
-  ResultTable                              table;
-  const Bandwidth                          bandwidth = measure_bandwidth(table);
+  const StickSlip::Libraries libraries;
+  Options                    options(argc, argv);
+  ResultTable                table;
+  const Bandwidth            bandwidth = measure_bandwidth(table);
   if (!options.take("--triad"))
     {
       KernelTimes<2>(table, bandwidth).run();

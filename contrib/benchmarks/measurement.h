@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <malloc.h>
+#include <stickslip/base/libraries.h>
 
 #include <algorithm>
 #include <functional>
