@@ -6,6 +6,7 @@
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/input_error.h>
+#include <stickslip/base/libraries.h>
 #include <stickslip/scene/command_line.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/scene/scene_writer.h>
@@ -77,7 +78,7 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Libraries libraries;
 
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);

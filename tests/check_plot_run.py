@@ -67,7 +67,7 @@ def write_run(directory, with_events=True, dim=2):
         file.write(",".join([SERIES] + columns) + "\n")
         for i, row in enumerate(values):
             step = t[i] - t[i - 1] if i else 1e-3
-            file.write(f"{i},{t[i]!r},{step!r},{2 + i % 3},{4 + i % 5},{12 + i % 9},")
+            file.write(f"{i},{t[i]:.17g},{step:.17g},{2 + i % 3},{4 + i % 5},{12 + i % 9},")
             file.write(",".join(f"{v:.17g}" for v in row) + "\n")
     with open(directory / "events.csv", "w", encoding="utf-8") as file:
         file.write(EVENTS + "\n")

@@ -61,7 +61,7 @@ namespace
 
 
 
-  // What Simulation does where the slip has become large, but with the
+  // Contact as Simulation rebuilds it after large slip, but with the
   // reference positions again.
   void
   rebuild_contact(SteppingScene &scene)
@@ -277,8 +277,8 @@ TEST(EmbeddedControl, HistorySurvivesARebuiltContactMapping)
   rebuilt.advance_until(1.2);
   ASSERT_TRUE(same_bits(kept.state, rebuilt.state));
 
-  // The same mapping once more: nothing may change in the following steps,
-  // neither their size nor their prediction.
+  // Once more the mapping that is there: nothing may change in the following
+  // steps, neither their size nor their prediction.
   rebuild_contact(rebuilt);
   const auto estimate = [](const SteppingScene &scene) {
     return scene.memory.last_error;

@@ -12,7 +12,7 @@
 
 namespace StickSlip::Tests
 {
-  /** What the user reads if the action fails on the input. */
+  /** Message to the user if the action fails on the input. */
   template <typename Action>
   std::string
   message_of(const Action &action)

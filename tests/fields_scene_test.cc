@@ -59,7 +59,7 @@ TEST(FieldsOfAScene, TablesAreFoundNextToTheFileThatNamesThem)
   const SceneParameters<2> scene = read(file);
   EXPECT_NEAR(value_of_a(scene, 0.5), 0.025, 1e-15);
 
-  // What is written back can be read from anywhere and is the same.
+  // The scene that is written back can be read from anywhere and is the same.
   std::filesystem::create_directory(folder.path / "output");
   write_parameters(scene, folder.file("output/parameters.prm"));
   const SceneParameters<2> again = read(folder.file("output/parameters.prm"));

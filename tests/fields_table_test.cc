@@ -207,10 +207,10 @@ TEST(SpatialField, IsANumberAnExpressionOrATable)
   EXPECT_EQ(field.text(), "table " + file);
   EXPECT_EQ(field.values<2>({Point<2>(0.5, 3)}, "S"),
             (std::vector<double>{1.5}));
-  // The same text again does not read the file again.
+  // A text set again does not read the file again.
   folder.write("t.txt", "nonsense");
   EXPECT_NO_THROW(field.set(field.text()));
-  // What fails changes nothing.
+  // An error changes nothing.
   EXPECT_THROW(field.set("table none.txt"), InputError);
   EXPECT_EQ(field.text(), "table " + file);
 

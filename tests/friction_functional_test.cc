@@ -185,7 +185,7 @@ TYPED_TEST(FaultFrictionTest, SecantTakesUpTheForceAlongSlip)
         const Tensor<2, dim> secant = friction.secant_hessian(k, v, force);
         const Tensor<1, dim> change =
           (fraction * gradient.norm() / (slip * (secant * slip))) * slip;
-        // Where it is near Vmin the logarithm does not go on.
+        // Near Vmin the logarithm does not go on.
         if (friction.gradient(k, v + change).norm() == 0.)
           continue;
         ++n_compared;
@@ -398,7 +398,7 @@ TYPED_TEST(FaultFrictionTest, DampingIsAMatrixMore)
             std::array<bool, dim> active;
             for (unsigned int c = 0; c < dim; ++c)
               active[c] = (mask >> c) & 1u;
-            // What is not active is already in the right hand side.
+            // The force of other nodes is already in the right hand side.
             const Tensor<1, dim> expected =
               plain.minimise(k, A + D, force, active, v);
             EXPECT_LE(

@@ -98,7 +98,7 @@ TEST_P(RateAndState, CoefficientAndDerivativesAgreeWithHighPrecision)
     {
       const double log_vmin = random_log_vmin();
       const double V        = random_rate(engine);
-      // What one rounding of the logarithms does to z.
+      // Change of z by one rounding of the logarithms.
       const double rounding =
         epsilon * (1. + std::abs(std::log(V)) + std::abs(log_vmin));
 
@@ -159,7 +159,7 @@ TEST_P(RateAndState, ChordLeadsToTheChangedCoefficient)
         (GetParam() == Regularisation::truncated) ? exp(z) : 2 * sinh(z);
       const Real chord =
         parameters.a * (z - old_z) / (exp(Real(log_vmin)) * factor - V);
-      // What one rounding of the logarithms does to the change in V.
+      // Change of that in V by one rounding of the logarithms.
       const double rounding =
         epsilon * (1. + std::abs(std::log(V)) + std::abs(log_vmin)) *
         (1. + parameters.a / std::abs(change) +
@@ -286,7 +286,7 @@ TEST_P(RateAndState, MinimiserIsExactUpToRoundingOfTheDataFarOut)
       const double r        = random(engine);
       const Real   exact    = Reference::local_minimiser(
         GetParam(), c, r, Real(k) * parameters.a, log_vmin);
-      // Where the slip rate is the exponential of what friction has to carry,
+      // Slip rates that are the exponential of what friction has to carry:
       // that quantity's rounding is in the result.
       const Real carried =
         Reference::scaled_coefficient(GetParam(), exact, log_vmin);

@@ -46,7 +46,7 @@ namespace
 
 
 
-  /** The same without space. */
+  /** That slider without space. */
   RadiatingSlider
   slider(const EndlessLayers &layers, const bool radiates)
   {

@@ -19,7 +19,7 @@ namespace
 {
   using Settings = std::vector<std::string>;
 
-  /** Where the steps are the same, so are the errors in time. */
+  /** Settings with equal steps, and so with equal errors in time. */
   const Settings common = {"Boundary conditions/Periodic along x=true",
                            "Bodies/lower/Refinement passes=0",
                            "Bodies/upper/Refinement passes=0",

@@ -141,8 +141,8 @@ namespace
 
 
 
-  /** What the program makes of a wave of the theory with exponent s over one
-   * and a half turns of its phase. */
+  /** Exponent that the program gives a wave of the theory with exponent s over
+   * one and a half turns of its phase. */
   Complex
   simulated_exponent(SteppingScene       &scene,
                      const SteadySliding &theory,

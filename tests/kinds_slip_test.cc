@@ -59,7 +59,7 @@ namespace
 
 TEST(Welded, TwoBodiesMoveAsOne)
 {
-  // The same waves run through two bodies with meshes that match and through
+  // Equal waves run through two bodies with meshes that match and through
   // one of the same size.
   const std::string one_body = R"(
 subsection Bodies
@@ -162,7 +162,7 @@ TEST(PrescribedSlip, IsThatOfTheUpperSideWhicheverIsTheSlave)
       const FaultSnapshot<2> fault = snapshots(simulation).front();
       // The ramp costs half of its length.
       const double slip = 2e-3 * 2.5;
-      // What resists the slip is negative: the layers pull back.
+      // Resistance is negative: the layers pull back.
       const double traction = -slip / (1. / scene.material[0].shear_modulus() +
                                        1. / scene.material[1].shear_modulus());
       for (unsigned int k = 0; k < fault.slip.size(); ++k)
@@ -179,7 +179,7 @@ TEST(PrescribedSlip, IsThatOfTheUpperSideWhicheverIsTheSlave)
                              {"Faults/fault/Friction=prescribed slip rate",
                               "Faults/fault/Slip rate along x=2e-3"})),
                 4e-3);
-      // What keeps the slip going puts the energy into the layers.
+      // The force that keeps the slip going puts the energy into the layers.
       const EnergyBalance<2> &energy = *simulation.energy_balance();
       EXPECT_NEAR(energy.work().driven_sides,
                   energy.elastic_energy(simulation.state()),

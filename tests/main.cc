@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
+#include <stickslip/base/libraries.h>
 
 #include <iostream>
 
@@ -29,7 +30,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const StickSlip::Libraries libraries;
   ::testing::InitGoogleTest(&argc, argv);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
     {

@@ -206,7 +206,7 @@ TEST(BoundaryValues, VelocitiesFollowRampPlaceAndTime)
                         const unsigned int node,
                         const Point<2>    &x,
                         const bool) {
-                      // What is not prescribed keeps its value.
+                      // Components that are not prescribed keep their values.
                       Tensor<1, 2> expected({3., 3.});
                       if (b == 0 && x[1] == 0.)
                         expected = 0.;

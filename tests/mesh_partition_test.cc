@@ -291,7 +291,7 @@ namespace
 
 
 
-  /** What follows from the meshes alone is the same on all processes. */
+  /** All that follows from the meshes alone is the same on all processes. */
   template <int dim>
   void
   expect_the_same_again()

@@ -49,7 +49,7 @@ namespace
         if (image(points[i]) == points[i])
           continue;
         ASSERT_NE(entries, nullptr) << points[i];
-        // Where the image is hanging, both hang on the same nodes.
+        // A node and its hanging image: both hang on the same nodes.
         if (entries->size() == 1)
           {
             EXPECT_EQ(points[entries->front().first], image(points[i]));

@@ -103,7 +103,7 @@ TEST(PolygonClipping, AreasOfKnownIntersections)
   const Polygon small = rotated(rectangle(-.1, .2, -.1, .1), 0.3);
   EXPECT_NEAR(signed_area(clip_convex_polygon(square, small)), 0.06, 1e-16);
   EXPECT_NEAR(signed_area(clip_convex_polygon(small, square)), 0.06, 1e-16);
-  // The same polygon, shifted along an edge, touching, and apart.
+  // One polygon twice, shifted along an edge, touching, and apart.
   EXPECT_DOUBLE_EQ(signed_area(clip_convex_polygon(square, square)), 1.);
   EXPECT_NEAR(signed_area(
                 clip_convex_polygon(square, rectangle(-.2, .8, -.5, .5))),

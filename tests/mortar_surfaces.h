@@ -103,7 +103,7 @@ namespace StickSlip
 
 
 
-  /** The same with nodes and faces renumbered and half of the faces reversed.
+  /** That side with nodes and faces renumbered and half of the faces reversed.
    */
   template <int dim>
   Side<dim>
@@ -174,7 +174,7 @@ namespace StickSlip
 
 
   /**
-   * What holds on any pair of surfaces: rigid motion and linear functions have
+   * Properties of any pair of surfaces: rigid motion and linear functions have
    * no jump, the weights add up to the area that carries contact, and with the
    * lost area to the whole overlap.
    */

@@ -289,7 +289,7 @@ namespace
             raw.local_element(nodes[i] * 2 + c) +=
               f[c] * fe_values.shape_value(i, q) * fe_values.JxW(q);
       });
-      // What acts on a hanging node acts on those that carry it.
+      // The force on a hanging node acts on those that carry it.
       const MeshLevel<2> &level = scene.meshes.finest();
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
         for (const auto &line : level.bodies[b]->bound_nodes().get_lines())

@@ -15,7 +15,7 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  // What each process catches if one of them throws.
+  // Message that each process catches if one of them throws.
   template <typename Exception>
   std::string
   caught(const unsigned int thrower, const std::function<void()> &action)

@@ -79,7 +79,7 @@ namespace StickSlip::Tests
 
 
 
-  /** The same for vectors. */
+  /** That difference for vectors. */
   inline double
   difference(const NodalVector                          &shared,
              const NodePartition                        &nodes,

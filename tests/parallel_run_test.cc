@@ -135,7 +135,7 @@ TEST(ParallelRun, NoNumberOnOneProcessIsAFailureOnAll)
       simulation.advance();
   };
   EXPECT_THROW(run(), StepSizeTooSmall);
-  // What is there is the last good state, and the same everywhere.
+  // The last good state is there, and the same everywhere.
   EXPECT_LE(simulation.state().time, 0.3);
   EXPECT_GT(simulation.state().time, 0.29);
   EXPECT_TRUE(std::isfinite(simulation.state().velocity.l2_norm()));

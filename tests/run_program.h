@@ -80,7 +80,7 @@ namespace StickSlip::Tests
 
 
 
-  /** What is wrong with the files of a run with the one fault "fault"; empty:
+  /** Mistakes in the files of a run with the one fault "fault"; empty:
    * nothing. */
   inline std::string
   problems_of_output(const TemporaryFolder &folder, const std::string &output)

@@ -45,7 +45,7 @@ namespace StickSlip::Tests
 
 
   /**
-   * What is kept of a whole run of a scene with the one fault "fault". Only for
+   * Record of a whole run of a scene with the one fault "fault". Only for
    * controls that take one step at a time.
    */
   struct RunHistory

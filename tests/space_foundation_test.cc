@@ -132,7 +132,7 @@ namespace
                 weight * std::sin(numbers::PI / 9.),
                 1e-9 * weight);
 
-    // What the foundation leaves free more than the fixed side does is the
+    // Unknowns that the foundation leaves free and the fixed side does not: the
     // slip of each node in contact.
     EXPECT_EQ(n_unknowns(founded.problem) - n_unknowns(held.problem),
               (dim - 1) * founded.problem.jump_basis().contact_nodes().size());

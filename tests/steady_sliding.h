@@ -45,9 +45,9 @@ namespace StickSlip::Tests
     bool                   with_inertia  = true;
     /** Pa s/m. */
     double radiation_damping = 0;
-    /** Whether u_y is zero at the upper plate, and not the normal traction. */
+    /** True if u_y is zero at the upper plate, not the normal traction. */
     bool top_is_held = true;
-    /** Whether the normal stress of friction follows the contact pressure, at
+    /** True if the normal stress of friction follows the contact pressure, at
      * the reference friction coefficient. */
     bool normal_stress_follows = false;
 
@@ -130,7 +130,7 @@ namespace StickSlip::Tests
       return s;
     }
 
-    /** What solves the equations of both layers and the conditions at plates
+    /** Solution of the equations of both layers and the conditions at plates
      * and fault for a slip of 1 m: four coefficients a layer. */
     std::vector<Complex>
     coefficients(const Complex s) const

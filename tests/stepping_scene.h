@@ -138,7 +138,7 @@ namespace StickSlip::Tests
 
 
 
-  /** Whether two states agree in every bit. */
+  /** True if two states agree in every bit. */
   inline bool
   same_bits(const SystemState<2> &a, const SystemState<2> &b)
   {

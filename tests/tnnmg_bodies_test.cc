@@ -48,7 +48,7 @@ namespace
 
 
 
-  /** What sets the bodies in motion. */
+  /** Forces that set the bodies in motion. */
   struct Load
   {
     /** Pa; of uniform shear at first, and on all faults. */

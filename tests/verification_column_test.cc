@@ -45,7 +45,7 @@ namespace
 
 
 
-  /** The same as a scene, one cell wide. */
+  /** That column as a scene, one cell wide. */
   std::string
   scene_of(const WaveColumn &column, const unsigned int n_cells)
   {

@@ -114,7 +114,7 @@ namespace
 
 
 
-  /** What the bytes of a row of @p table are. */
+  /** Bytes of a row of @p table. */
   struct Cost
   {
     unsigned int dim;
@@ -145,7 +145,7 @@ namespace
              3 * number_bytes;
     }
 
-    /** The same matrix with scalar entries. */
+    /** That matrix with scalar entries. */
     double
     scalar_product() const
     {
@@ -315,10 +315,10 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Options                                  options(argc, argv);
-  ResultTable                              table;
-  const Bandwidth                          bandwidth = measure_bandwidth(table);
+  const StickSlip::Libraries libraries;
+  Options                    options(argc, argv);
+  ResultTable                table;
+  const Bandwidth            bandwidth = measure_bandwidth(table);
   if (!options.take("--triad"))
     {
       KernelTimes<2>(table, bandwidth).run();

@@ -82,7 +82,7 @@ namespace
     ResultTable table;
     for (Method &method : methods)
       {
-        // Those of the coupled problem share their solution.
+        // Methods for the coupled problem share their solution.
         if (!times_only && (method.name == "coupled" || method.name == "tnnmg"))
           method.solve();
         table.add("solver", method.name);
@@ -114,7 +114,7 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const StickSlip::Libraries libraries;
   try
     {
       Options           options(argc, argv);

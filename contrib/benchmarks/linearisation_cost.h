@@ -13,7 +13,7 @@ namespace Measure
   using namespace StickSlip;
 
   /**
-   * What changes of the operator on all levels take, and a V-cycle to compare
+   * Time of changes of the operator on all levels, and of a V-cycle to compare
    * them with, in s.
    */
   struct LinearisationCost
@@ -24,7 +24,7 @@ namespace Measure
     double new_hessians = 0;
     /** Of the truncation, at all nodes of the faults. */
     double new_truncation = 0;
-    /** The same at one in a hundred of these nodes, side by side. */
+    /** That at one in a hundred of these nodes, side by side. */
     double moved_front = 0;
     double v_cycle     = 0;
   };

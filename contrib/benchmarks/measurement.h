@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <malloc.h>
+#include <stickslip/base/libraries.h>
 
 #include <algorithm>
 #include <functional>
@@ -19,7 +20,7 @@
 #include <vector>
 
 /**
- * What the measuring programs share.
+ * Parts that the measuring programs share.
  */
 namespace Measure
 {
@@ -127,7 +128,7 @@ namespace Measure
       : arguments(argv + 1, argv + argc)
     {}
 
-    /** Whether an option without a value is given. */
+    /** True if an option without a value is given. */
     bool
     take(const std::string &name)
     {

@@ -266,7 +266,7 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const StickSlip::Libraries libraries;
   try
     {
       Options options(argc, argv);

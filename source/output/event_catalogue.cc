@@ -13,8 +13,8 @@ namespace StickSlip
 {
   namespace
   {
-    // Which part of a step has passed when the slip rate reaches a level that
-    // lies between the slip rates at its ends.
+    // Part of a step that has passed when the slip rate reaches a level between
+    // the slip rates at its ends.
     double
     crossing(const double before, const double after, const double level)
     {

@@ -40,7 +40,7 @@ namespace StickSlip
 
 
 
-    /** How a field is written. */
+    /** Form in which a field is written. */
     template <int dim>
     struct FieldDescription
     {

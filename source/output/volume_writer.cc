@@ -205,7 +205,7 @@ namespace StickSlip
                   const std::vector<VolumeField> &wanted)
     {
       BodyFields<dim> body(data_out, level, number);
-      // They must live until the patches are built.
+      // Objects that must live until the patches are built.
       Vector<double> displacement, velocity, acceleration;
       if (!nodal.displacement.empty())
         displacement = body.of_body(nodal.displacement);

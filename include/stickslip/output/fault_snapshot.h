@@ -45,13 +45,13 @@ namespace StickSlip
     /** State theta, s. */
     std::vector<double> state;
 
-    /** The force that keeps the sides together over the area, Pa; empty where
+    /** The force that keeps the sides together over the area, Pa; empty if
      * nobody asks for it. */
     std::vector<double> contact_pressure;
   };
 
   /**
-   * What is recorded of one accepted step.
+   * Counts and times of one accepted step.
    */
   struct StepRecord
   {

@@ -11,7 +11,7 @@
 namespace StickSlip
 {
   /**
-   * What the tables say of one fault at one time. Only nodes in contact count;
+   * Values of one fault at one time in the tables. Only nodes in contact count;
    * means are weighted by the nodes' weights, so that they are means over the
    * area. All values are NaN where no node is in contact.
    */

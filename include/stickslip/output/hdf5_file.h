@@ -12,8 +12,8 @@
 namespace StickSlip
 {
   /*
-   * The little of HDF5 that time series need, with handles that close
-   * themselves and errors that throw. deal.II's HDF5 classes cannot extend a
+   * HDF5 as far as time series need it, with handles that close themselves
+   * and errors that throw. deal.II's HDF5 classes cannot extend a
    * data set.
    */
 
@@ -54,7 +54,7 @@ namespace StickSlip
   {
   public:
     /**
-     * Create it without records; @p record_shape is empty where a record is a
+     * A data set without records; @p record_shape is empty where a record is a
      * single number.
      */
     Hdf5Series(const hid_t                 group,

@@ -28,13 +28,13 @@ namespace StickSlip
     operator=(const Interrupt &) = delete;
 
     /**
-     * Whether this process got a signal.
+     * True after a signal to this process.
      */
     bool
     is_requested() const;
 
     /**
-     * Whether any process got a signal; the same answer everywhere.
+     * True after a signal to any process; the same answer everywhere.
      * Collective.
      */
     bool

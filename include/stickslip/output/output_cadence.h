@@ -44,14 +44,14 @@ namespace StickSlip
                   const double longest_interval);
 
     /**
-     * Whether to write now, at the largest @p slip_rate of any fault in m/s.
-     * The first time always.
+     * True if it is time to write, at the largest @p slip_rate of any fault in
+     * m/s. The first time always.
      */
     bool
     is_due(const double time, const double slip_rate) const;
 
     /**
-     * Something has been written.
+     * Take note of something written at this time and slip rate.
      */
     void
     note_written(const double time, const double slip_rate);

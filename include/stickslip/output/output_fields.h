@@ -12,7 +12,7 @@
 namespace StickSlip
 {
   /**
-   * What faults.h5 can hold of a fault over time.
+   * Fields of a fault over time in faults.h5.
    */
   enum class FaultField
   {
@@ -26,7 +26,7 @@ namespace StickSlip
   };
 
   /**
-   * What the VTU files can hold of the bodies.
+   * Fields of the bodies in the VTU files.
    */
   enum class VolumeField
   {
@@ -40,8 +40,8 @@ namespace StickSlip
   };
 
   /**
-   * All of them, with the names they have in the parameter file and in the
-   * files that are written.
+   * All fields, with their names in the parameter file and in the files that
+   * are written.
    */
   const std::vector<std::pair<FaultField, std::string>> &
   fault_field_names();
@@ -50,7 +50,7 @@ namespace StickSlip
   volume_field_names();
 
   /**
-   * Whether a field is among those asked for.
+   * True if a field is among those asked for.
    */
   template <typename Field>
   bool

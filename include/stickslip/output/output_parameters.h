@@ -16,7 +16,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * What is written where and how often.
+   * Choice of files and fields, and how often they are written.
    */
   struct OutputParameters
   {
@@ -28,7 +28,7 @@ namespace StickSlip
      * zero: no such file. */
     unsigned int time_series_steps = 1;
 
-    /** Whether and with what faults.h5 is written. */
+    /** Choice of faults.h5 and of its fields. */
     bool                    write_faults = true;
     std::vector<FaultField> fault_fields = {FaultField::slip,
                                             FaultField::slip_rate,
@@ -37,17 +37,17 @@ namespace StickSlip
                                             FaultField::state};
 
     /** Cadence of faults.h5: a record is written when the largest slip rate
-     * of any fault has changed by this factor since the last one, ... */
+     * of any fault has changed by this factor since the last one. */
     double fault_slip_rate_factor = 2.;
-    /** ... or would have made the fault slip this far since then, m; zero:
-     * not for this reason, ... */
+    /** Slip since the last record, from the slip rate, m, after which another
+     * one follows; zero: not for this reason. */
     double fault_slip_interval = 1e-5;
-    /** ... but not within this time of it, s, ... */
+    /** Shortest time between two records, s. */
     double fault_shortest_interval = 1e-3;
-    /** ... and at the latest after this time, s. */
+    /** Longest time between two records, s. */
     double fault_longest_interval = 0.5;
 
-    /** The same for the VTU files. */
+    /** Choice, fields and cadence of the VTU files, in the same units. */
     bool                     write_volume  = true;
     std::vector<VolumeField> volume_fields = {VolumeField::displacement,
                                               VolumeField::velocity,
@@ -66,7 +66,7 @@ namespace StickSlip
     /** An event ends when it falls below this fraction of the former. */
     double event_end_fraction = 0.5;
 
-    /** Whether to keep account of the energy for the summary. */
+    /** Account of the energy in the summary. */
     bool energy_balance = true;
 
     /** Declare the entries in the current subsection of @p prm. */

@@ -11,7 +11,7 @@
 namespace StickSlip
 {
   /**
-   * Tells the user how far a run is: percent done, simulated time, step size,
+   * Progress of a run for the user: percent done, simulated time, step size,
    * largest slip rate and estimated time left. On a terminal one line is
    * rewritten, at most once a second; elsewhere plain lines follow each other,
    * at most one in ten seconds.
@@ -40,7 +40,7 @@ namespace StickSlip
     finish();
 
     /**
-     * Whether the standard output is a terminal.
+     * True if the standard output is a terminal.
      */
     static bool
     standard_output_is_terminal();

@@ -16,8 +16,7 @@
 namespace StickSlip
 {
   /**
-   * What the writer has to know of a body's material, as functions of the
-   * position.
+   * Material of a body for the writer, as functions of the position.
    */
   template <int dim>
   struct VolumeMaterial
@@ -34,7 +33,7 @@ namespace StickSlip
 
   /**
    * Values of all nodes in the order of their global numbers, see
-   * gather_on_first(): m, m/s, m/s^2. Those that no field needs may be empty.
+   * gather_on_first(): m, m/s, m/s^2. Values that no field needs may be empty.
    */
   struct VolumeNodalValues
   {

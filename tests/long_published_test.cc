@@ -8,6 +8,81 @@
 using namespace StickSlip;
 using namespace StickSlip::Tests;
 
+TEST(LongSpringSlider, GivesThePublishedEvents)
+{
+  const RunHistory run(published_scene("spring_slider"));
+  EXPECT_NEAR(run.steps.back().time, 60., 1e-9);
+
+  EXPECT_GE(run.events.size(), 18u);
+  EXPECT_LE(run.events.size(), 30u);
+  ASSERT_FALSE(run.events.empty());
+  EXPECT_GT(run.events.front().start, 20.);
+  EXPECT_LT(run.events.front().start, 23.5);
+  double       fastest_node = 0;
+  unsigned int n_central    = 0;
+  for (const SlipEvent &event : run.events)
+    {
+      SCOPED_TRACE("event at t = " + std::to_string(event.start));
+      EXPECT_GT(event.peak_mean_slip_rate, 5e-4);
+      EXPECT_LT(event.peak_mean_slip_rate, 1e-2);
+      fastest_node = std::max(fastest_node, event.peak_slip_rate);
+      n_central += std::abs(event.nucleation_x) < 1. ? 1 : 0;
+    }
+  EXPECT_GT(fastest_node, 1e-2);
+  EXPECT_GT(2 * n_central, run.events.size());
+
+  double smallest = 1e9, largest = 0;
+  for (const RunHistory::Step &step : run.steps)
+    {
+      if (step.time < 15.)
+        {
+          ASSERT_LT(step.fault.mean_slip_rate, 1e-8) << "t = " << step.time;
+        }
+      if (step.time > 2. && step.time < 59.)
+        {
+          smallest = std::min(smallest, step.step_size);
+          largest  = std::max(largest, step.step_size);
+        }
+    }
+  EXPECT_GT(largest / smallest, 100.);
+}
+
+
+
+TEST(LongSpringSlider, EventTimesHardlyDependOnTheTolerance)
+{
+  const auto first_events = [](const std::vector<std::string> &overrides) {
+    std::vector<std::string> all = {"Time/End time=28"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return RunHistory(published_scene("spring_slider", all)).events;
+  };
+  const std::vector<SlipEvent> coarse = first_events({}),
+                               fine   = first_events({"Time/Tolerance=3e-7"});
+  ASSERT_GE(coarse.size(), 4u);
+  ASSERT_GE(fine.size(), 4u);
+  const double recurrence = (fine[3].start - fine[0].start) / 3.;
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_LT(std::abs(coarse[i].start - fine[i].start), 0.02 * recurrence)
+      << "event " << i;
+}
+
+
+
+TEST(LongSpringSlider, CreepsWithThePrintedCharacteristicSlip)
+{
+  const RunHistory run(published_scene("spring_slider_printed_L"));
+  EXPECT_NEAR(run.steps.back().time, 60., 1e-9);
+  EXPECT_TRUE(run.events.empty());
+  for (const RunHistory::Step &step : run.steps)
+    if (step.time >= 40.)
+      {
+        ASSERT_NEAR(step.fault.mean_slip_rate, 2e-4, 0.03 * 2e-4)
+          << "t = " << step.time;
+      }
+}
+
+
+
 namespace
 {
   struct FirstEvent
