@@ -97,17 +97,28 @@ namespace StickSlip::Tests
     static constexpr unsigned int n_nodes = 17;
     static constexpr double       scale   = 1e7;
 
-    LevelHierarchy<dim> hierarchy;
-    NodalVector         b, start;
+    std::mt19937                     engine{7};
+    std::normal_distribution<double> normal;
+    OperatorSum<dim>                 operators;
+    LevelHierarchy<dim>              hierarchy;
+    NodalVector                      b, start;
 
     FrictionChain()
-      : hierarchy(descriptions())
+      : operators(descriptions().back(), {springs()})
+      , hierarchy(operators, descriptions())
       , b(hierarchy.finest().nodes.make_vector())
       , start(b)
     {
-      std::mt19937                     engine(7);
-      std::normal_distribution<double> normal;
+      operators.combine({1.});
+      for (unsigned int i = 0; i < b.size(); ++i)
+        b.local_element(i) = 5e3 * normal(engine);
+      for (unsigned int c = 0; c < dim; ++c)
+        start.local_element((n_nodes - 1) * dim + c) = 2e-4 * normal(engine);
+    }
 
+    BlockMatrix<dim>
+    springs()
+    {
       const auto       sparsity = chain_sparsity(n_nodes);
       BlockMatrix<dim> A(sparsity);
       const auto       add = [&](const unsigned int    i,
@@ -132,13 +143,7 @@ namespace StickSlip::Tests
           add(i, i + 1, -spring);
           add(i + 1, i, -spring);
         }
-      hierarchy.set_terms({A});
-      hierarchy.combine({1.});
-
-      for (unsigned int i = 0; i < b.size(); ++i)
-        b.local_element(i) = 5e3 * normal(engine);
-      for (unsigned int c = 0; c < dim; ++c)
-        start.local_element((n_nodes - 1) * dim + c) = 2e-4 * normal(engine);
+      return A;
     }
 
     Friction<dim>

@@ -183,7 +183,7 @@ TEST(Inertia, OnlyTheTermsOfTheSceneAreThere)
         EXPECT_EQ(problem.has(Problem::mass), is_dynamic);
         EXPECT_EQ(problem.has(Problem::damping), is_viscous);
         const std::size_t matrix =
-          problem.hierarchy().matrix().memory_consumption();
+          problem.operators().matrix().memory_consumption();
         if (bytes.size() > 1)
           {
             // Each term less saves a matrix in double precision on the finest

@@ -280,7 +280,6 @@ TEST(Regions, RunTheSameWithEachRateSolverAndCorrection)
   for (const std::string other : {"Time/Rate solver=condensed Newton",
                                   "TNNMG/Linear correction=UMFPACK",
                                   "TNNMG/Linear correction=MUMPS",
-                                  "TNNMG/Linear correction=AMG",
                                   "Time/Rate-state method=nested"})
     {
       const std::map<double, double> found = slips({other});

@@ -69,7 +69,7 @@ namespace StickSlip::Tests
 
       // Uniform shear pulls at the free sides; a V-cycle halves the error.
       LevelHierarchy<dim> &hierarchy = problem.hierarchy();
-      hierarchy.combine({0., 0., 1.});
+      hierarchy.operators().combine({0., 0., 1.});
       NodeMask stuck = hierarchy.finest().fixed;
       for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
         stuck.mask_node(p);
@@ -80,7 +80,7 @@ namespace StickSlip::Tests
       NodalVector       residual = zero, correction = zero;
       for (unsigned int cycle = 0; cycle < 60; ++cycle)
         {
-          hierarchy.matrix().residual(residual, zero, w);
+          hierarchy.operators().matrix().residual(residual, zero, w);
           stuck.apply(residual);
           hierarchy.v_cycle(correction, residual);
           w += correction;

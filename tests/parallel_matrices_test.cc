@@ -81,9 +81,9 @@ namespace
       const auto &ours = pair.shared.problem.hierarchy();
       const auto &one  = pair.alone.problem.hierarchy();
       for (unsigned int term = 0; term < 3; ++term)
-        EXPECT_LT(difference(ours.term(term),
+        EXPECT_LT(difference(ours.operators().terms()[term],
                              ours.finest().nodes,
-                             one.term(term),
+                             one.operators().terms()[term],
                              numbers),
                   1e-12)
           << "term " << term;

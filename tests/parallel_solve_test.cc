@@ -110,13 +110,20 @@ namespace
   struct Crowd
   {
     static constexpr unsigned int per_process = 3;
+    OperatorSum<2>                operators;
     LevelHierarchy<2>             hierarchy;
 
     Crowd()
-      : hierarchy(descriptions())
+      : operators(descriptions().back(), {matrix(descriptions().back().nodes)})
+      , hierarchy(operators, descriptions())
     {
-      const NodePartition &nodes = hierarchy.finest().nodes;
-      BlockMatrix<2>       A(sparsity(nodes));
+      operators.combine({1.});
+    }
+
+    static BlockMatrix<2>
+    matrix(const NodePartition &nodes)
+    {
+      BlockMatrix<2> A(sparsity(nodes));
       for (unsigned int i = 0; i < nodes.n_owned(); ++i)
         for (unsigned int j = 0; j < nodes.n_local(); ++j)
           {
@@ -124,8 +131,7 @@ namespace
             block[0]      = (i == j ? 1.1 : 1.);
             block[3]      = (i == j ? 1. : 0.);
           }
-      hierarchy.set_terms({A});
-      hierarchy.combine({1.});
+      return A;
     }
 
     static std::shared_ptr<const BlockSparsity>

@@ -100,8 +100,7 @@ TEST(ProgramParallel, WhatIsForOneProcessSaysSo)
   for (const std::pair<std::string, std::string> entry :
        {std::make_pair("Time/Rate solver", "condensed Newton"),
         std::make_pair("TNNMG/Linear correction", "UMFPACK"),
-        std::make_pair("TNNMG/Linear correction", "MUMPS"),
-        std::make_pair("TNNMG/Linear correction", "AMG")})
+        std::make_pair("TNNMG/Linear correction", "MUMPS")})
     {
       const Outcome outcome =
         run_command(folder,

@@ -35,7 +35,7 @@ namespace StickSlip::Tests
   {
     LevelHierarchy<dim> &hierarchy = scene.problem.hierarchy();
     hierarchy.set_cycle_precision(CyclePrecision::double_precision);
-    hierarchy.combine({200., 1., 5e-3});
+    hierarchy.operators().combine({200., 1., 5e-3});
     hierarchy.linearise(std::vector<Tensor<2, dim>>(
                           hierarchy.finest().nonsmooth_nodes.size()),
                         hierarchy.finest().fixed);

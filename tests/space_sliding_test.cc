@@ -75,7 +75,7 @@ namespace
                                  const std::vector<double> &distances)
   {
     SpatialScene<dim> sliding = standing(bodies);
-    // What is made for the first linearisation is there to be updated.
+    // The first linearisation makes what the next ones use again.
     combine_without_friction(sliding);
     linearise_along_faults(sliding);
     std::vector<types::global_dof_index> numbers(
@@ -92,9 +92,9 @@ namespace
                   expected.finest().nonsmooth_nodes);
         expect_equal_vectors(sliding.problem, placed.problem);
         for (unsigned int k = 0; k < 3; ++k)
-          EXPECT_LT(difference(ours.term(k),
+          EXPECT_LT(difference(ours.operators().terms()[k],
                                ours.finest().nodes,
-                               expected.term(k),
+                               expected.operators().terms()[k],
                                numbers),
                     1e-12);
         const auto expect_equal_levels = [&]() {

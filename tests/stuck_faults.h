@@ -117,7 +117,7 @@ namespace StickSlip
                           hierarchy.finest().nonsmooth_nodes.size()),
                         active);
     NodalVector residual = b, correction = b;
-    hierarchy.matrix().residual(residual, b, w);
+    hierarchy.operators().matrix().residual(residual, b, w);
     active.apply(residual);
     correction = 0.;
     if (residual.l2_norm() == 0.)

@@ -75,14 +75,20 @@ namespace
                   const NodalVector   &start)
   {
     const auto J = [&](const NodalVector &w) {
-      return Reference::functional(hierarchy.matrix(), b, friction.terms, w);
+      return Reference::functional(hierarchy.operators().matrix(),
+                                   b,
+                                   friction.terms,
+                                   w);
     };
 
     NodalVector      w   = start;
     Reference::Value old = J(w);
     for (unsigned int sweep = 0; sweep < 20; ++sweep)
       {
-        nonlinear_gauss_seidel(hierarchy, *friction.functional, b, w);
+        nonlinear_gauss_seidel(hierarchy.operators(),
+                               *friction.functional,
+                               b,
+                               w);
         const Reference::Value now = J(w);
         EXPECT_LE(now.value, old.value + rounding * now.size);
         old = now;
@@ -97,7 +103,10 @@ namespace
     for (unsigned int iteration = 0; iteration < 20; ++iteration)
       {
         NodalVector smoothed = w;
-        nonlinear_gauss_seidel(hierarchy, *friction.functional, b, smoothed);
+        nonlinear_gauss_seidel(hierarchy.operators(),
+                               *friction.functional,
+                               b,
+                               smoothed);
         const Reference::Value between = J(smoothed);
 
         const IterationSummary summary =
@@ -138,7 +147,7 @@ namespace
   {
     const NodeMask                    &fixed = hierarchy.finest().fixed;
     const Reference::DenseProblem<dim> dense(
-      hierarchy.matrix(), fixed, b, zero, friction.terms);
+      hierarchy.operators().matrix(), fixed, b, zero, friction.terms);
     TNNMGParameters parameters;
     parameters.tolerance = 1e-10;
     TNNMGSolver<dim> solver(hierarchy, parameters);
@@ -194,8 +203,11 @@ namespace
                          const NodalVector &zero)
   {
     const std::vector<Real> exact =
-      Reference::DenseProblem<2>(
-        hierarchy.matrix(), hierarchy.finest().fixed, b, zero, friction.terms)
+      Reference::DenseProblem<2>(hierarchy.operators().matrix(),
+                                 hierarchy.finest().fixed,
+                                 b,
+                                 zero,
+                                 friction.terms)
         .minimise();
     expect_minimiser(hierarchy, friction, b, zero, &exact);
   }

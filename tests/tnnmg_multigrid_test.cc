@@ -117,7 +117,7 @@ namespace
           levels[l].fixed.mask(p, 1);
       }
     const BlockSparsity *sparsity =
-      &slider.problem.hierarchy().matrix().sparsity();
+      &slider.problem.operators().matrix().sparsity();
     for (unsigned int l = n_levels - 1; l > 0; --l)
       {
         levels[l].to_coarser = std::make_shared<GalerkinProduct<2>>(
@@ -256,7 +256,7 @@ TEST(Multigrid, LinearisationNearFaultsEqualsAllProducts)
         SCOPED_TRACE(testing::Message() << probability << ' ' << tau);
         slider.set_step(tau, 0.);
         const NodeMask active = truncation(hierarchy.finest(), probability);
-        BlockMatrix<2> A      = hierarchy.matrix();
+        BlockMatrix<2> A      = hierarchy.operators().matrix();
         std::vector<Tensor<2, 2>> H(nodes.size());
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (active.is_active(nodes[k], 0))
@@ -266,10 +266,11 @@ TEST(Multigrid, LinearisationNearFaultsEqualsAllProducts)
             }
         hierarchy.linearise(H, active);
 
-        LevelHierarchy<2> anew(describe_levels(slider, active));
+        const auto        levels = describe_levels(slider, active);
+        OperatorSum<2>    only_A(levels.back(), {A});
+        LevelHierarchy<2> anew(only_A, levels);
         anew.set_cycle_precision(CyclePrecision::double_precision);
-        anew.set_terms({A});
-        anew.combine({1.});
+        only_A.combine({1.});
         truncate(anew, active);
 
         const NodalVector b = random_vector(hierarchy.finest(), active);
@@ -341,7 +342,7 @@ TEST(Multigrid, SingularCoarseMatrixLeavesTheOperatorAsItWas)
   hierarchy.v_cycle(again, b);
   expect_same(again, first);
 
-  hierarchy.combine({0., 0., 0.});
+  hierarchy.operators().combine({0., 0., 0.});
   EXPECT_THROW(truncate(hierarchy, active), SingularCoarseMatrix);
   slider.set_step(1e-2, 0.);
   truncate(hierarchy, active);

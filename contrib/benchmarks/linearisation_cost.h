@@ -41,11 +41,15 @@ namespace Measure
     std::vector<double>    others = coefficients;
     for (double &coefficient : others)
       coefficient *= 2.;
-    LevelHierarchy<dim> &hierarchy = problem.hierarchy();
-    cost.new_coefficients          = shortest(
+    LevelHierarchy<dim> &hierarchy    = problem.hierarchy();
+    const auto           set_operator = [&](const std::vector<double> &c) {
+      problem.combine(c);
+      hierarchy.take_over_operator();
+    };
+    cost.new_coefficients = shortest(
       repetitions,
-      [&]() { problem.combine(coefficients); },
-      [&]() { problem.combine(others); });
+      [&]() { set_operator(coefficients); },
+      [&]() { set_operator(others); });
 
     // Curvatures of the size of the matrix; every second node is truncated, or
     // every other.
@@ -55,8 +59,9 @@ namespace Measure
       std::vector<Tensor<2, dim>> result;
       for (const unsigned int p : finest.nonsmooth_nodes)
         {
-          const Tensor<2, dim> diagonal = hierarchy.matrix().diagonal_block(p);
-          Tensor<2, dim>       hessian;
+          const Tensor<2, dim> diagonal =
+            hierarchy.operators().matrix().diagonal_block(p);
+          Tensor<2, dim> hessian;
           for (unsigned int c = 0; c < dim; ++c)
             if (finest.fixed.is_active(p, c))
               hessian[c][c] = factor * diagonal[c][c];

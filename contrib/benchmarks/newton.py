@@ -18,7 +18,7 @@ SOLVERS = {
     "TNNMG": ({}, ()),
     "exact, UMFPACK": ({CORRECTION: "UMFPACK"}, ()),
     "exact, MUMPS": ({CORRECTION: "MUMPS"}, ()),
-    "CG with ML": ({CORRECTION: "AMG"}, ()),
+    "CG with ML": ({}, ("--amg",)),
     "Newton, UMFPACK": ({CORRECTION: "UMFPACK"}, ("--without-smoother",)),
     "condensed": ({"Time/Rate solver": "condensed Newton"}, ()),
     "Gauss-Seidel": ({LIMIT: 200}, ("--gauss-seidel",)),

@@ -4,7 +4,7 @@
 /*
  * rate_problem FILE.prm [--set ENTRY=VALUE]... [--repetitions N]
  *              [--state NAME:EXPRESSION]... [--taus SIZES]
- *              [--without-smoother] [--gauss-seidel] [--costs]
+ *              [--without-smoother] [--amg] [--gauss-seidel] [--costs]
  *
  * Measures one rate problem of a scene: that of its first time step, of size
  * Time/Initial step, at the initial state of the faults, from the static
@@ -17,9 +17,10 @@
  * The error is that in the energy norm against TNNMG's solution with tolerance
  * 1e-13, relative to that. Bytes are what is allocated for matrices and solver,
  * without the meshes. --without-smoother leaves out the nonlinear smoother,
- * --gauss-seidel everything else. --costs measures what changes of the operator
- * take. The column converged tells whether the iteration has; there is no error
- * exit if not.
+ * --gauss-seidel everything else; --amg solves the linearised problems by
+ * conjugate gradients with algebraic multigrid. --costs measures what changes
+ * of the operator take. The column converged tells whether the iteration has;
+ * there is no error exit if not.
  */
 
 #include <stickslip/scene/command_line.h>
@@ -40,8 +41,8 @@ namespace
   {
     unsigned int repetitions      = 3;
     bool         without_smoother = false;
-    bool         gauss_seidel     = false;
     bool         costs            = false;
+    Correction   correction       = Correction::of_scene;
 
     std::vector<double>                              taus;
     std::vector<std::pair<std::string, std::string>> states;
@@ -77,8 +78,6 @@ namespace
       w                         = problem.make_vector();
       if (task.without_smoother)
         this->scene.tnnmg.nonlinear_smoothing = false;
-      if (task.gauss_seidel)
-        this->scene.tnnmg.linear_correction = LinearCorrectionType::none;
     }
 
     /** All step sizes for all states. */
@@ -111,14 +110,16 @@ namespace
     solve()
     {
       const double bytes_before = allocated_bytes();
-      const auto   solver       = make_rate_solver(problem, scene);
+      const auto   solver = make_rate_solver(problem, scene, task.correction);
       operator_time = solve_time = std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < task.repetitions; ++i)
         {
           problem.combine(Newmark::operator_coefficients(2. * tau));
+          problem.hierarchy().take_over_operator();
           operator_time =
             std::min(operator_time, seconds([&]() {
                        problem.combine(Newmark::operator_coefficients(tau));
+                       problem.hierarchy().take_over_operator();
                      }));
           w          = 0.;
           solve_time = std::min(solve_time, seconds([&]() {
@@ -142,7 +143,7 @@ namespace
       solver.solve(faults.friction(), rhs, reference);
       NodalVector difference = reference, product = reference;
       const auto  energy = [&](const NodalVector &vector) {
-        problem.hierarchy().matrix().vmult(product, vector);
+        problem.operators().matrix().vmult(product, vector);
         return std::sqrt(std::abs(vector * product));
       };
       difference -= w;
@@ -272,9 +273,12 @@ main(int argc, char *argv[])
       task.repetitions =
         Utilities::string_to_int(options.take_value("--repetitions", "3"));
       task.without_smoother = options.take("--without-smoother");
-      task.gauss_seidel     = options.take("--gauss-seidel");
       task.costs            = options.take("--costs");
-      task.taus             = Utilities::string_to_double(
+      if (options.take("--gauss-seidel"))
+        task.correction = Correction::none;
+      if (options.take("--amg"))
+        task.correction = Correction::amg;
+      task.taus = Utilities::string_to_double(
         Utilities::split_string_list(options.take_value("--taus", "")));
       for (std::string state = options.take_value("--state", "");
            !state.empty();

@@ -5,30 +5,68 @@
 #define stickslip_contrib_rate_solver_h
 
 #include <stickslip/condensed/condensed_solver.h>
-#include <stickslip/problem/rigid_body_modes.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <memory>
 
+#include "amg_correction.h"
+#include "rigid_body_modes.h"
+
 namespace Measure
 {
   using namespace StickSlip;
 
-  /** The solver of rate problems that the scene asks for, as in a time step. */
+  /** The linear correction of TNNMG. */
+  enum class Correction
+  {
+    of_scene,
+    /** By conjugate gradients with cycles of algebraic multigrid. */
+    amg,
+    /** Not at all; what remains is nonlinear Gauss-Seidel. */
+    none
+  };
+
+  template <int dim>
+  class NoCorrection : public LinearCorrection<dim>
+  {
+  public:
+    void
+    linearise(const std::vector<Tensor<2, dim>> &, const NodeMask &) override
+    {}
+
+    unsigned int
+    solve(NodalVector &x, NodalVector &A_x, NodalVector &) override
+    {
+      x   = 0.;
+      A_x = 0.;
+      return 0;
+    }
+  };
+
+  /** The solver of rate problems that the scene asks for, as in a time step,
+   * but for the @p correction. */
   template <int dim>
   std::unique_ptr<NonsmoothSolver<dim>>
   make_rate_solver(SpatialProblem<dim>        &problem,
-                   const SceneParameters<dim> &scene)
+                   const SceneParameters<dim> &scene,
+                   const Correction            correction)
   {
-    LevelHierarchy<dim> &hierarchy = problem.hierarchy();
+    OperatorSum<dim>      &operators  = problem.operators();
+    const TNNMGParameters &parameters = scene.tnnmg;
     if (scene.time.rate_solver == RateSolver::condensed_newton)
-      return std::make_unique<CondensedSolver<dim>>(hierarchy, scene.tnnmg);
-    if (scene.tnnmg.linear_correction == LinearCorrectionType::amg)
-      return std::make_unique<TNNMGSolver<dim>>(hierarchy,
-                                                scene.tnnmg,
-                                                rigid_body_modes(problem));
-    return std::make_unique<TNNMGSolver<dim>>(hierarchy, scene.tnnmg);
+      return std::make_unique<CondensedSolver<dim>>(operators, parameters);
+    if (correction == Correction::amg)
+      return std::make_unique<TNNMGSolver<dim>>(
+        operators,
+        parameters,
+        std::make_unique<AMGCorrection<dim>>(operators,
+                                             parameters,
+                                             rigid_body_modes(problem)));
+    if (correction == Correction::none)
+      return std::make_unique<TNNMGSolver<dim>>(
+        operators, parameters, std::make_unique<NoCorrection<dim>>());
+    return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(), parameters);
   }
 } // namespace Measure
 

@@ -18,37 +18,6 @@ namespace StickSlip
 
 
 
-  BlockSparsity::BlockSparsity(const BlockSparsity                   &before,
-                               const std::vector<unsigned int>       &changed,
-                               std::vector<std::vector<unsigned int>> rows)
-  {
-    AssertDimension(changed.size(), rows.size());
-    row_start.reserve(before.row_start.size());
-    diagonal.reserve(before.diagonal.size());
-    column.reserve(before.column.size());
-    const auto copy_until = [&](const unsigned int end) {
-      const unsigned int begin = n_rows();
-      // Unsigned numbers wrap around, and back.
-      const unsigned int shift = column.size() - before.row_start[begin];
-      column.insert(column.end(),
-                    before.column.begin() + before.row_start[begin],
-                    before.column.begin() + before.row_start[end]);
-      for (unsigned int i = begin; i < end; ++i)
-        {
-          diagonal.push_back(before.diagonal[i] + shift);
-          row_start.push_back(before.row_start[i + 1] + shift);
-        }
-    };
-    for (unsigned int k = 0; k < changed.size(); ++k)
-      {
-        copy_until(changed[k]);
-        append_row(std::move(rows[k]));
-      }
-    copy_until(before.n_rows());
-  }
-
-
-
   std::vector<unsigned int>
   BlockSparsity::coupled_to(const std::vector<unsigned int> &rows) const
   {
@@ -225,26 +194,6 @@ namespace StickSlip
                                 pointers.data(),
                                 (last - first) * block_size,
                                 block(first));
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockMatrix<n_components, Number>::copy_other_rows(
-    const BlockMatrix               &before,
-    const std::vector<unsigned int> &changed)
-  {
-    unsigned int begin      = 0;
-    const auto   copy_until = [&](const unsigned int end) {
-      std::copy(before.block(before.pattern->row_start[begin]),
-                before.block(before.pattern->row_start[end]),
-                block(pattern->row_start[begin]));
-      begin = end + 1;
-    };
-    for (const unsigned int i : changed)
-      copy_until(i);
-    copy_until(n_rows());
   }
 
 

@@ -10,33 +10,28 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <numeric>
 
 namespace StickSlip
 {
   namespace
   {
     /**
-     * Some rows of the sparsity of P^T A P as far as this process contributes:
-     * a list of columns for each.
+     * The sparsity of P^T A P as far as this process contributes: a list of
+     * columns for each row.
      */
     std::vector<std::vector<unsigned int>>
-    symbolic_product(const BlockSparsity             &A,
-                     const TransferMatrix            &transfer,
-                     const std::vector<unsigned int> &coarse_rows)
+    symbolic_product(const BlockSparsity &A, const TransferMatrix &transfer)
     {
       const auto &P  = transfer.matrix();
       const auto &Pt = transfer.transpose();
 
-      std::vector<std::vector<unsigned int>> rows(coarse_rows.size());
+      std::vector<std::vector<unsigned int>> rows(transfer.n_columns());
       std::vector<unsigned int>              last_fine(transfer.n_rows(),
                                           numbers::invalid_unsigned_int);
       std::vector<unsigned int>              last_coarse(transfer.n_columns(),
                                             numbers::invalid_unsigned_int);
-      for (unsigned int K = 0; K < rows.size(); ++K)
-        for (unsigned int I = coarse_rows[K], k = Pt.row_start[I];
-             k < Pt.row_start[I + 1];
-             ++k)
+      for (unsigned int I = 0; I < rows.size(); ++I)
+        for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
           {
             const unsigned int i = Pt.column[k];
             for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
@@ -50,7 +45,7 @@ namespace StickSlip
                   if (last_coarse[P.column[q]] != I)
                     {
                       last_coarse[P.column[q]] = I;
-                      rows[K].push_back(P.column[q]);
+                      rows[I].push_back(P.column[q]);
                     }
               }
           }
@@ -108,10 +103,8 @@ namespace StickSlip
                           n_components,
                           communicator);
     transfer = TransferMatrix(prolongation, fine_nodes, nodes);
-    std::vector<unsigned int> all_rows(transfer.n_columns());
-    std::iota(all_rows.begin(), all_rows.end(), 0u);
     std::vector<std::vector<unsigned int>> rows =
-      symbolic_product(fine, transfer, all_rows);
+      symbolic_product(fine, transfer);
 
     // Other processes may contribute columns that are not known here.
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
@@ -152,69 +145,6 @@ namespace StickSlip
     sparsity = std::make_shared<const BlockSparsity>(std::move(rows));
     coarse_position.resize(nodes.n_local());
     all = make_rows(std::vector<bool>(nodes.n_local(), true));
-  }
-
-
-
-  template <int n_components>
-  GalerkinProduct<n_components>::GalerkinProduct(
-    const GalerkinProduct           &before,
-    const BlockSparsity             &fine,
-    const std::vector<unsigned int> &changed,
-    const std::vector<GlobalRow>    &prolongation)
-    : nodes(before.nodes)
-    , transfer(before.transfer, changed, prolongation, before.nodes)
-    , ghost_sparsity(before.ghost_sparsity)
-    , from_before(true)
-    , row_position(before.row_position)
-    , coarse_position(before.coarse_position)
-  {
-    AssertDimension(Utilities::MPI::n_mpi_processes(nodes.communicator()), 1);
-    // A row of the product sees the rows of A that its node is interpolated to,
-    // and the rows of P at the columns of these. (A is symmetric, and where a
-    // row has lost a column it has changed itself.)
-    const std::vector<unsigned int> touched = fine.coupled_to(changed);
-    updated                                 = before.rows_from(touched);
-    for (const unsigned int I : rows_from(touched))
-      updated.push_back(I);
-    make_set(updated);
-
-    sparsity = std::make_shared<const BlockSparsity>(
-      *before.sparsity, updated, symbolic_product(fine, transfer, updated));
-    all = make_rows(std::vector<bool>(nodes.n_local(), true));
-  }
-
-
-
-  template <int n_components>
-  bool
-  GalerkinProduct<n_components>::is_update() const
-  {
-    return from_before;
-  }
-
-
-
-  template <int n_components>
-  const std::vector<unsigned int> &
-  GalerkinProduct<n_components>::updated_rows() const
-  {
-    return updated;
-  }
-
-
-
-  template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
-  void
-  GalerkinProduct<n_components>::update(
-    const BlockMatrix<n_components, FineNumber>   &fine,
-    const NodeMask                                &fine_mask,
-    const BlockMatrix<n_components, CoarseNumber> &before,
-    BlockMatrix<n_components, CoarseNumber>       &coarse)
-  {
-    coarse.copy_other_rows(before, updated);
-    compute_rows(fine, fine_mask, updated, coarse);
   }
 
 
@@ -477,13 +407,8 @@ namespace StickSlip
     const BlockMatrix<n_components, FineNumber> &,                            \
     const NodeMask &,                                                         \
     const std::vector<unsigned int> &,                                        \
-    BlockMatrix<n_components, CoarseNumber> &);                               \
-  template void                                                               \
-  GalerkinProduct<n_components>::update<FineNumber, CoarseNumber>(            \
-    const BlockMatrix<n_components, FineNumber> &,                            \
-    const NodeMask &,                                                         \
-    const BlockMatrix<n_components, CoarseNumber> &,                          \
     BlockMatrix<n_components, CoarseNumber> &);
+
 #define STICKSLIP_INSTANTIATE(n_components)                   \
   template class GalerkinProduct<n_components>;               \
   STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, double) \

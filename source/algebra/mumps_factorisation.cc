@@ -15,7 +15,7 @@ namespace StickSlip
   template <int n_components>
   struct MumpsFactorisation<n_components>::Implementation
   {
-    /** What MUMPS is asked to do. */
+    /** The jobs of MUMPS. */
     enum Job
     {
       initialise = -1,

@@ -114,7 +114,7 @@ namespace StickSlip
                         &requests.back()));
       }
     check(MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE));
-    // In the order of the ranks, so that sums are the same in each run.
+    // The order is that of the ranks, so that sums are the same in each run.
     for (unsigned int s = 0; s < senders.size(); ++s)
       for (unsigned int k = 0; k < senders[s].entries.size(); ++k)
         for (unsigned int c = 0; c < block_size; ++c)

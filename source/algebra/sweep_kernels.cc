@@ -129,7 +129,8 @@ namespace StickSlip
 
 
 
-      /** From the last entry to the first, as memory is read backward. */
+      /** The sum from the last entry to the first, as memory is read
+       * backward. */
       template <int n_components, typename Number>
       inline void
       add_row_backward(RowSum<n_components, Number> &sum,
@@ -220,7 +221,7 @@ namespace StickSlip
     {
       for (unsigned int i = 0; i < n; ++i)
         {
-          // What depends on the row just done comes last.
+          // The part that depends on the row just done comes last.
           RowSum<n_components, Number> sum;
           add_row(sum, upper, i, x);
           add_row(sum, lower, i, x);

@@ -10,7 +10,7 @@ namespace StickSlip
 {
   namespace
   {
-    /** Of the first @p n_rows rows. */
+    /** The transpose of the first @p n_rows rows. */
     TransferMatrix::Compressed
     transpose_of(const TransferMatrix::Compressed &A,
                  const unsigned int                n_rows,
@@ -101,42 +101,6 @@ namespace StickSlip
     by_row.row_start.reserve(rows.size() + 1);
     for (const GlobalRow &row : rows)
       append_row(row, coarse);
-    by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
-  }
-
-
-
-  TransferMatrix::TransferMatrix(const TransferMatrix            &before,
-                                 const std::vector<unsigned int> &changed,
-                                 const std::vector<GlobalRow>    &rows,
-                                 const NodePartition             &coarse)
-    : n_owned_rows(before.n_owned_rows)
-  {
-    AssertDimension(changed.size(), rows.size());
-    const Compressed &old = before.by_row;
-    by_row.row_start.reserve(old.row_start.size());
-    by_row.column.reserve(old.column.size());
-    by_row.value.reserve(old.value.size());
-    const auto copy_until = [&](const unsigned int end) {
-      const unsigned int begin = n_rows(), first = old.row_start[begin],
-                         last = old.row_start[end];
-      // Unsigned numbers wrap around, and back.
-      const unsigned int shift = by_row.column.size() - first;
-      by_row.column.insert(by_row.column.end(),
-                           old.column.begin() + first,
-                           old.column.begin() + last);
-      by_row.value.insert(by_row.value.end(),
-                          old.value.begin() + first,
-                          old.value.begin() + last);
-      for (unsigned int i = begin; i < end; ++i)
-        by_row.row_start.push_back(old.row_start[i + 1] + shift);
-    };
-    for (unsigned int k = 0; k < changed.size(); ++k)
-      {
-        copy_until(changed[k]);
-        append_row(rows[k], coarse);
-      }
-    copy_until(before.n_rows());
     by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
   }
 

@@ -12,19 +12,19 @@
 namespace StickSlip
 {
   template <int n_components>
-  CondensedEntries<n_components>::CondensedEntries(
-    const std::vector<unsigned int> &nodes,
-    const NodeMask                  &fixed)
+  CondensedEntries<n_components>::CondensedEntries(const Unknowns &unknowns)
   {
-    for (const unsigned int node : nodes)
+    for (const unsigned int node : unknowns.nonsmooth_nodes)
       {
         of_node.emplace_back();
         of_node.back().fill(numbers::invalid_unsigned_int);
         for (unsigned int c = 0; c < n_components; ++c)
-          if (fixed.is_active(node, c))
+          if (unknowns.fixed.is_active(node, c))
             {
               of_node.back()[c] = positions.size();
               positions.push_back(node * n_components + c);
+              positions_at_nodes.push_back((of_node.size() - 1) * n_components +
+                                           c);
             }
       }
   }
@@ -174,7 +174,7 @@ namespace StickSlip
     const std::vector<bool>                    &active)
   {
     constexpr double reduction = 1e-4;
-    // Where they take about as long as a factorisation.
+    // So many steps take about as long as a factorisation.
     const unsigned int n         = entries.size();
     const unsigned int max_steps = std::max(4u, n / 50);
 
@@ -238,7 +238,7 @@ namespace StickSlip
             matrix(i, j) = active[i] ? column[i] : 0.;
         }
       else
-        // Of the right size for the time when it is active again.
+        // The right size for the time when the entry is active again.
         matrix(j, j) = row(j)[j];
     for_each_entry(entries,
                    H,

@@ -6,26 +6,39 @@
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/tnnmg/functional_sums.h>
-#include <stickslip/tnnmg/line_search.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace StickSlip
 {
   namespace
   {
-    double
-    dot(const std::vector<double> &a, const std::vector<double> &b)
+    /** The nonsmooth nodes alone, as unknowns of one process. */
+    Unknowns
+    nonsmooth_part(const Unknowns &all, const unsigned int n_components)
     {
-      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+      const std::vector<unsigned int> &nodes = all.nonsmooth_nodes;
+      const unsigned int               n     = nodes.size();
+      Unknowns                         part;
+      part.nodes = NodePartition(complete_index_set(n),
+                                 IndexSet(n),
+                                 n_components,
+                                 all.nodes.communicator());
+      part.fixed = NodeMask(n, n_components);
+      part.nonsmooth_nodes.resize(n);
+      std::iota(part.nonsmooth_nodes.begin(), part.nonsmooth_nodes.end(), 0u);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int c = 0; c < n_components; ++c)
+          if (!all.fixed.is_active(nodes[k], c))
+            part.fixed.mask(k, c);
+      return part;
     }
 
 
 
-    /** How many operators are kept: those of the step sizes between which a
-     * run goes back and forth, in 256 MiB at most. */
+    /** The number of operators kept: those between which a caller goes back
+     * and forth, in 256 MiB at most. */
     unsigned int
     n_operators_kept(const unsigned int n)
     {
@@ -46,28 +59,29 @@ namespace StickSlip
 
   template <int n_components>
   CondensedSolver<n_components>::CondensedSolver(
-    const LevelHierarchy<n_components> &hierarchy,
-    const TNNMGParameters              &parameters)
-    : NonsmoothSolver<n_components>(parameters)
-    , hierarchy(hierarchy)
-    , entries(hierarchy.finest().nonsmooth_nodes, hierarchy.finest().fixed)
-    , prescribed(hierarchy.finest().nodes.make_vector())
+    const OperatorSum<n_components> &operators,
+    const TNNMGParameters           &parameters)
+    : NonsmoothSolver<n_components>(nonsmooth_part(operators.unknowns(),
+                                                   n_components),
+                                    parameters)
+    , operators(operators)
+    , entries(operators.unknowns())
+    , prescribed(operators.unknowns().nodes.make_vector())
     , load(prescribed)
-    , previous(prescribed)
-    , correction(prescribed)
     , scratch(prescribed)
     , bulk(prescribed)
+    , g(this->residual)
+    , z(this->residual)
   {
     AssertThrow(Utilities::MPI::n_mpi_processes(
-                  hierarchy.finest().nodes.communicator()) == 1,
+                  operators.unknowns().nodes.communicator()) == 1,
                 ExcMessage("The condensed problem is solved on one process "
                            "only."));
     if (entries.size() > max_entries)
       throw AgreedFailure(
-        "The rate solver 'condensed Newton' is for at most " +
-        std::to_string(max_entries) +
-        " unknowns on the faults, since its matrix is dense, but there are " +
-        std::to_string(entries.size()) + "; use 'Time/Rate solver' = 'TNNMG'.");
+        "A condensed problem has at most " + std::to_string(max_entries) +
+        " unknowns at nonsmooth nodes, since its matrix is dense, but here are " +
+        std::to_string(entries.size()) + ".");
   }
 
 
@@ -76,26 +90,31 @@ namespace StickSlip
   void
   CondensedSolver<n_components>::find_operator()
   {
-    const unsigned long version = hierarchy.operator_version();
-    const auto          known   = std::find_if(operators.begin(),
-                                    operators.end(),
+    const unsigned long version = operators.version();
+    const auto          known   = std::find_if(condensed_operators.begin(),
+                                    condensed_operators.end(),
                                     [&](const Operator &candidate) {
                                       return candidate.version == version;
                                     });
-    if (known != operators.end())
+    if (known != condensed_operators.end())
       {
-        operators.splice(operators.begin(), operators, known);
+        condensed_operators.splice(condensed_operators.begin(),
+                                   condensed_operators,
+                                   known);
         return;
       }
-    if (operators.size() < n_operators_kept(entries.size()))
-      operators.emplace_front(entries);
+    if (condensed_operators.size() < n_operators_kept(entries.size()))
+      condensed_operators.emplace_front(entries);
     else
-      // What depends on the sparsity alone is of use again.
-      operators.splice(operators.begin(), operators, --operators.end());
-    Operator &present = operators.front();
-    // Of no operator as long as it is incomplete.
+      // The part that depends on the sparsity alone is of use again.
+      condensed_operators.splice(condensed_operators.begin(),
+                                 condensed_operators,
+                                 --condensed_operators.end());
+    Operator &present = condensed_operators.front();
+    // The number of no operator, as long as this one is incomplete.
     present.version = 0;
-    present.condensed.set_matrix(hierarchy.matrix(), hierarchy.finest().fixed);
+    present.condensed.set_matrix(operators.matrix(),
+                                 operators.unknowns().fixed);
     present.version = version;
     ++condensations;
   }
@@ -109,24 +128,26 @@ namespace StickSlip
   {
     find_operator();
 
-    // With zero on F and everything outside minimal for that. Nothing depends
+    // Values are zero on F, and all outside minimal for that. Nothing depends
     // on the free components of w, which may be large and wrong.
     scratch = w;
-    hierarchy.finest().fixed.apply(scratch);
+    operators.unknowns().fixed.apply(scratch);
     prescribed = w;
     prescribed -= scratch;
-    hierarchy.matrix().residual(load, b, prescribed);
+    operators.matrix().residual(load, b, prescribed);
     scratch = load;
     restrict_to_eliminated(scratch);
-    operators.front().condensed.solve_eliminated(bulk, scratch);
+    condensed_operators.front().condensed.solve_eliminated(bulk, scratch);
     restrict_to_eliminated(bulk);
-    hierarchy.matrix().vmult(scratch, bulk);
+    operators.matrix().vmult(scratch, bulk);
     scratch.sadd(-1., 1., load);
-    condensed_load = values_of(scratch);
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      g.local_element(entries.positions_at_nodes[i]) =
+        scratch.local_element(entries.positions[i]);
 
     bulk += prescribed;
     scratch.sadd(-1., 1., b);
-    square_at_zero = bulk * scratch;
+    this->square_of_rest = bulk * scratch;
   }
 
 
@@ -138,92 +159,20 @@ namespace StickSlip
     const NodalVector &,
     NodalVector &w)
   {
-    const unsigned int               n = entries.size();
-    CondensedOperator<n_components> &S = operators.front().condensed;
-    IterationSummary                 summary;
-    const std::vector<double>        old_values = values_of(w);
-    previous                                    = w;
-
-    // Anew each time, so that rounding from a bad start is left behind.
-    S.vmult(residual, old_values);
-    for (unsigned int i = 0; i < n; ++i)
-      residual[i] = condensed_load[i] - residual[i];
-    const std::vector<double> old_residual = residual;
-
-    diagonal_blocks.clear();
-    for (unsigned int k = 0; k < functional.nodes().size(); ++k)
-      diagonal_blocks.push_back(diagonal_block(k));
-
-    // The quadratic part changes by -d . (r_old + r_new) / 2 over a change d.
-    std::vector<double> change(n), sum(n);
-    if (this->parameters.nonlinear_smoothing)
-      {
-        smooth(functional, w);
-        change = values_of(w);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            change[i] -= old_values[i];
-            sum[i] = old_residual[i] + residual[i];
-          }
-        summary.smoother_decrease =
-          0.5 * dot(change, sum) - increase(functional, w, previous);
-      }
-
-    scratch = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      scratch.local_element(entries.positions[i]) = residual[i];
-    subtract_gradient(functional, w, scratch);
-    active              = hierarchy.finest().fixed;
-    summary.n_truncated = linearise(functional,
-                                    this->parameters,
-                                    diagonal_blocks,
-                                    w,
-                                    scratch,
-                                    hessians,
-                                    active);
-    std::vector<bool> is_active(n);
-    for (unsigned int i = 0; i < n; ++i)
-      is_active[i] = active.is_active(entries.positions[i] / n_components,
-                                      entries.positions[i] % n_components);
-    std::vector<double> direction, S_direction;
-    S.solve_linearised(direction, values_of(scratch), hessians, is_active);
-    correction = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      correction.local_element(entries.positions[i]) = direction[i];
-    if (project_step(functional, w, correction))
-      direction = values_of(correction);
-    S.vmult(S_direction, direction);
-
-    const double           linear      = dot(direction, residual);
-    const double           square      = dot(direction, S_direction);
-    const LineSearchResult line_search = find_step_length([&](const double t) {
-      return slope_of(functional, w, correction, t) - linear + t * square;
-    });
-    const double           t           = line_search.step_length;
-    summary.step_length                = t;
-    summary.line_search_evaluations    = line_search.evaluations;
-    // Not only for speed: zero times NaN would spoil the iterate.
-    if (t > 0.)
-      {
-        scratch = w;
-        w.add(t, correction);
-        project(functional, w);
-        summary.correction_decrease =
-          t * linear - 0.5 * t * t * square - increase(functional, w, scratch);
-        for (unsigned int i = 0; i < n; ++i)
-          residual[i] -= t * S_direction[i];
-      }
-
-    const std::vector<double> values = values_of(w);
-    double change_square = 0., iterate_square = square_at_zero;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        change_square +=
-          (values[i] - old_values[i]) * (old_residual[i] - residual[i]);
-        iterate_square += values[i] * (condensed_load[i] - residual[i]);
-      }
-    summary.correction_norm = std::sqrt(std::abs(change_square));
-    summary.iterate_norm    = std::sqrt(std::abs(iterate_square));
+    const std::vector<unsigned int> &nodes =
+      operators.unknowns().nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        z.local_element(k * n_components + c) =
+          w.local_element(nodes[k] * n_components + c);
+    // The residual is formed anew each time, so that rounding from a bad start
+    // is left behind.
+    vmult(this->residual, z);
+    this->residual.sadd(-1., 1., g);
+    const IterationSummary summary = this->carry_out_steps(functional, g, z);
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      w.local_element(entries.positions[i]) =
+        z.local_element(entries.positions_at_nodes[i]);
     return summary;
   }
 
@@ -231,19 +180,23 @@ namespace StickSlip
 
   template <int n_components>
   void
-  CondensedSolver<n_components>::smooth(
+  CondensedSolver<n_components>::sweep(
     const NonsmoothFunctional<n_components> &functional,
-    NodalVector                             &w)
+    const NodalVector &,
+    NodalVector &z,
+    NodalVector &r)
   {
     const unsigned int                     n = entries.size();
-    const CondensedOperator<n_components> &S = operators.front().condensed;
-    for (unsigned int k = 0; k < functional.nodes().size(); ++k)
+    const CondensedOperator<n_components> &S =
+      condensed_operators.front().condensed;
+    std::vector<double> rest = entries_of(this->residual);
+    for (unsigned int k = 0; k < entries.of_node.size(); ++k)
       {
         // Moving the part of this node to the left leaves what the minimiser
         // is asked for.
-        const unsigned int             node  = functional.nodes()[k];
-        const Tensor<1, n_components>  start = block<n_components>(w, node);
-        Tensor<1, n_components>        r;
+        const Tensor<2, n_components>  block_of_S = diagonal_block(k);
+        const Tensor<1, n_components>  start      = block<n_components>(z, k);
+        Tensor<1, n_components>        load_of_node;
         std::array<bool, n_components> takes_part;
         for (unsigned int c = 0; c < n_components; ++c)
           {
@@ -251,23 +204,74 @@ namespace StickSlip
             takes_part[c]        = (i != numbers::invalid_unsigned_int);
             if (!takes_part[c])
               continue;
-            r[c] = residual[i];
+            load_of_node[c] = rest[i];
             for (unsigned int d = 0; d < n_components; ++d)
               if (entries.of_node[k][d] != numbers::invalid_unsigned_int)
-                r[c] += diagonal_blocks[k][c][d] * start[d];
+                load_of_node[c] += block_of_S[c][d] * start[d];
           }
         const Tensor<1, n_components> v =
-          functional.minimise(k, diagonal_blocks[k], r, takes_part, start);
+          functional.minimise(k, block_of_S, load_of_node, takes_part, start);
         for (unsigned int c = 0; c < n_components; ++c)
           if (takes_part[c] && v[c] != start[c])
             {
               const double  change = v[c] - start[c];
               const double *column = S.row(entries.of_node[k][c]);
-              w.local_element(node * n_components + c) = v[c];
+              z.local_element(k * n_components + c) = v[c];
               for (unsigned int i = 0; i < n; ++i)
-                residual[i] -= change * column[i];
+                rest[i] -= change * column[i];
             }
       }
+    set_entries(r, rest);
+  }
+
+
+
+  template <int n_components>
+  Tensor<2, n_components>
+  CondensedSolver<n_components>::diagonal_block(const unsigned int k) const
+  {
+    const CondensedOperator<n_components> &S =
+      condensed_operators.front().condensed;
+    Tensor<2, n_components> result;
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
+        {
+          const unsigned int i = entries.of_node[k][c],
+                             j = entries.of_node[k][d];
+          result[c][d]         = (i != numbers::invalid_unsigned_int &&
+                          j != numbers::invalid_unsigned_int) ?
+                                   S.row(i)[j] :
+                                   (c == d ? 1. : 0.);
+        }
+    return result;
+  }
+
+
+
+  template <int n_components>
+  unsigned int
+  CondensedSolver<n_components>::correct(
+    const std::vector<Tensor<2, n_components>> &hessians,
+    const NodeMask                             &active,
+    NodalVector                                &x,
+    NodalVector                                &S_x,
+    NodalVector                                &r)
+  {
+    std::vector<bool> is_active(entries.size());
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      {
+        const unsigned int position = entries.positions_at_nodes[i];
+        is_active[i] =
+          active.is_active(position / n_components, position % n_components);
+      }
+    std::vector<double> direction;
+    condensed_operators.front().condensed.solve_linearised(direction,
+                                                           entries_of(r),
+                                                           hessians,
+                                                           is_active);
+    set_entries(x, direction);
+    vmult(S_x, x);
+    return 0;
   }
 
 
@@ -276,14 +280,17 @@ namespace StickSlip
   void
   CondensedSolver<n_components>::finish(const NodalVector &, NodalVector &w)
   {
-    const std::vector<double> values = values_of(w);
-    scratch                          = 0.;
+    std::vector<double> values(entries.size());
+    scratch = 0.;
     for (unsigned int i = 0; i < entries.size(); ++i)
-      scratch.local_element(entries.positions[i]) = values[i];
-    hierarchy.matrix().vmult(bulk, scratch);
+      {
+        values[i] = w.local_element(entries.positions[i]);
+        scratch.local_element(entries.positions[i]) = values[i];
+      }
+    operators.matrix().vmult(bulk, scratch);
     bulk.sadd(-1., 1., load);
     restrict_to_eliminated(bulk);
-    operators.front().condensed.solve_eliminated(scratch, bulk);
+    condensed_operators.front().condensed.solve_eliminated(scratch, bulk);
     w = scratch;
     restrict_to_eliminated(w);
     w += prescribed;
@@ -304,12 +311,36 @@ namespace StickSlip
 
   template <int n_components>
   std::vector<double>
-  CondensedSolver<n_components>::values_of(const NodalVector &vector) const
+  CondensedSolver<n_components>::entries_of(const NodalVector &z) const
   {
     std::vector<double> values(entries.size());
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = vector.local_element(entries.positions[i]);
+      values[i] = z.local_element(entries.positions_at_nodes[i]);
     return values;
+  }
+
+
+
+  template <int n_components>
+  void
+  CondensedSolver<n_components>::set_entries(
+    NodalVector               &z,
+    const std::vector<double> &values) const
+  {
+    for (unsigned int i = 0; i < values.size(); ++i)
+      z.local_element(entries.positions_at_nodes[i]) = values[i];
+  }
+
+
+
+  template <int n_components>
+  void
+  CondensedSolver<n_components>::vmult(NodalVector       &y,
+                                       const NodalVector &x) const
+  {
+    std::vector<double> product;
+    condensed_operators.front().condensed.vmult(product, entries_of(x));
+    set_entries(y, product);
   }
 
 
@@ -319,30 +350,9 @@ namespace StickSlip
   CondensedSolver<n_components>::restrict_to_eliminated(
     NodalVector &vector) const
   {
-    hierarchy.finest().fixed.apply(vector);
+    operators.unknowns().fixed.apply(vector);
     for (const unsigned int position : entries.positions)
       vector.local_element(position) = 0.;
-  }
-
-
-
-  template <int n_components>
-  Tensor<2, n_components>
-  CondensedSolver<n_components>::diagonal_block(const unsigned int k) const
-  {
-    const CondensedOperator<n_components> &S = operators.front().condensed;
-    Tensor<2, n_components>                result;
-    for (unsigned int c = 0; c < n_components; ++c)
-      for (unsigned int d = 0; d < n_components; ++d)
-        {
-          const unsigned int i = entries.of_node[k][c],
-                             j = entries.of_node[k][d];
-          result[c][d]         = (i != numbers::invalid_unsigned_int &&
-                          j != numbers::invalid_unsigned_int) ?
-                                   S.row(i)[j] :
-                                   (c == d ? 1. : 0.);
-        }
-    return result;
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/algebra/masked_entries.h>
 #include <stickslip/multigrid/block_gauss_seidel.h>
 
 namespace StickSlip
@@ -195,31 +196,6 @@ namespace StickSlip
 
 
 
-  template <int n_components>
-  Tensor<2, n_components>
-  invert_active(const Tensor<2, n_components> &block,
-                const NodeMask                &active,
-                const unsigned int             node)
-  {
-    if (active.is_fully_active(node))
-      return invert(block);
-    Tensor<2, n_components> result = block;
-    for (unsigned int c = 0; c < n_components; ++c)
-      if (!active.is_active(node, c))
-        {
-          for (unsigned int d = 0; d < n_components; ++d)
-            result[c][d] = result[d][c] = 0.;
-          result[c][c] = 1.;
-        }
-    result = invert(result);
-    for (unsigned int c = 0; c < n_components; ++c)
-      if (!active.is_active(node, c))
-        result[c][c] = 0.;
-    return result;
-  }
-
-
-
 #define STICKSLIP_INSTANTIATE(n_components, Number)                      \
   template class BlockGaussSeidel<n_components, Number>;                 \
   template void BlockGaussSeidel<n_components, Number>::set_row<double>( \
@@ -233,13 +209,13 @@ namespace StickSlip
   STICKSLIP_INSTANTIATE(3, double)
 #undef STICKSLIP_INSTANTIATE
 
-#define STICKSLIP_INSTANTIATE(n_components)                            \
-  template void BlockGaussSeidel<n_components, float>::set_row<float>( \
-    const unsigned int, const BlockMatrix<n_components, float> &);     \
-  template Tensor<2, n_components> invert_active<n_components>(        \
-    const Tensor<2, n_components> &, const NodeMask &, const unsigned int);
-
-  STICKSLIP_INSTANTIATE(1)
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template void
+  BlockGaussSeidel<1, float>::set_row(const unsigned int,
+                                      const BlockMatrix<1, float> &);
+  template void
+  BlockGaussSeidel<2, float>::set_row(const unsigned int,
+                                      const BlockMatrix<2, float> &);
+  template void
+  BlockGaussSeidel<3, float>::set_row(const unsigned int,
+                                      const BlockMatrix<3, float> &);
 } // namespace StickSlip

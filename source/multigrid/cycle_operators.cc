@@ -12,28 +12,21 @@ namespace StickSlip
 {
   template <int n_components, typename Number>
   CycleOperators<n_components, Number>::CycleOperators(
-    const std::vector<LevelDescription<n_components>> &descriptions)
+    const std::vector<LevelDescription<n_components>> &descriptions,
+    const std::vector<BlockMatrix<n_components>>      &terms)
     : descriptions(descriptions)
     , is_shared(Utilities::MPI::n_mpi_processes(
                   descriptions.back().nodes.communicator()) > 1)
     , levels(descriptions.size())
-  {}
-
-
-
-  template <int n_components, typename Number>
-  void
-  CycleOperators<n_components, Number>::set_terms(
-    const std::vector<BlockMatrix<n_components>> &finest)
   {
     for (unsigned int l = 0; l < levels.size(); ++l)
       levels[l].active = descriptions[l].fixed;
     levels.back().smoother =
-      BlockGaussSeidel<n_components, Number>(finest.front().sparsity());
+      BlockGaussSeidel<n_components, Number>(terms.front().sparsity());
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
         if (l + 1 == levels.size())
-          compute_coarser_terms(l, finest);
+          compute_coarser_terms(l, terms);
         else
           compute_coarser_terms(l, levels[l].terms);
         Level &coarse = levels[l - 1];
@@ -45,9 +38,9 @@ namespace StickSlip
       }
     if (levels.size() == 1)
       levels.front().matrix =
-        BlockMatrix<n_components, Number>(finest.front().shared_sparsity());
+        BlockMatrix<n_components, Number>(terms.front().shared_sparsity());
     if (is_shared)
-      find_strips(finest.front().sparsity());
+      find_strips(terms.front().sparsity());
   }
 
 
@@ -60,21 +53,12 @@ namespace StickSlip
     const std::vector<BlockMatrix<n_components, FineNumber>> &fine_terms)
   {
     GalerkinProduct<n_components> &product = *descriptions[l].to_coarser;
-    Level                         &coarse  = levels[l - 1];
-    const std::vector<BlockMatrix<n_components, Number>> before =
-      std::move(coarse.terms);
-    coarse.terms.clear();
-    for (unsigned int k = 0; k < fine_terms.size(); ++k)
+    for (const BlockMatrix<n_components, FineNumber> &term : fine_terms)
       {
-        const BlockMatrix<n_components, FineNumber> &term = fine_terms[k];
-        coarse.terms.emplace_back(product.coarse_sparsity());
-        if (product.is_update() && !before.empty())
-          product.update(term,
-                         descriptions[l].fixed,
-                         before[k],
-                         coarse.terms.back());
-        else
-          product.compute(term, descriptions[l].fixed, coarse.terms.back());
+        levels[l - 1].terms.emplace_back(product.coarse_sparsity());
+        product.compute(term,
+                        descriptions[l].fixed,
+                        levels[l - 1].terms.back());
       }
   }
 
@@ -105,14 +89,14 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
-  CycleOperators<n_components, Number>::combine_coarse_levels(
-    const std::vector<double> &coefficients)
+  CycleOperators<n_components, Number>::set_operator(
+    const OperatorSum<n_components> &A)
   {
     for (unsigned int l = 0; l + 1 < levels.size(); ++l)
       {
         Level             &level = levels[l];
         const unsigned int n     = level.matrix.n_rows();
-        level.matrix.combine(coefficients, level.terms, 0, n);
+        level.matrix.combine(A.coefficients(), level.terms, 0, n);
         level.active = descriptions[l].fixed;
         if (l > 0)
           for (unsigned int i = 0; i < n; ++i)
@@ -123,19 +107,11 @@ namespace StickSlip
                                           descriptions[l].fixed);
             }
       }
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  CycleOperators<n_components, Number>::set_finest_row(
-    const BlockMatrix<n_components> &A,
-    const unsigned int               i,
-    const Tensor<2, n_components>   &inverse_diagonal)
-  {
-    levels.back().smoother.set_row(i, A);
-    levels.back().smoother.set_inverse_diagonal(i, inverse_diagonal);
+    for (unsigned int i = 0; i < A.matrix().n_rows(); ++i)
+      {
+        levels.back().smoother.set_row(i, A.matrix());
+        levels.back().smoother.set_inverse_diagonal(i, A.inverse_diagonal(i));
+      }
   }
 
 

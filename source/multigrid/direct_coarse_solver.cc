@@ -15,7 +15,7 @@ namespace StickSlip
 {
   namespace
   {
-    /** From this number of unknowns on, MUMPS is faster than KLU. */
+    /** The number of unknowns from which on MUMPS is faster than KLU. */
     constexpr unsigned int large_matrix = 1500;
 
 

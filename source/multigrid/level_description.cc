@@ -16,7 +16,8 @@ namespace StickSlip
 
 
 
-    /** Which entries are not zero, after bringing ghosts up to date. */
+    /** A flag for each entry that is not zero, after bringing ghosts up to
+     * date. */
     std::vector<bool>
     flags(const NodalVector &vector)
     {
@@ -93,7 +94,7 @@ namespace StickSlip
                const LevelDescription<n_components> &fine,
                const NodeMask                       &fine_mask)
   {
-    // How many fine neighbours of the same kind take part.
+    // The number of fine neighbours of the same kind that take part.
     NodalVector n_active = coarse.nodes.make_vector();
     const auto &P        = fine.to_coarser->prolongation().matrix();
     for (const unsigned int i : fine.nonsmooth_nodes)

@@ -7,9 +7,9 @@ namespace StickSlip
 {
   template <int n_components>
   LinearisedCG<n_components>::LinearisedCG(
-    const LevelHierarchy<n_components> &hierarchy)
-    : hierarchy(hierarchy)
-    , direction(hierarchy.finest().nodes.make_vector())
+    const OperatorSum<n_components> &operators)
+    : A(operators)
+    , direction(operators.unknowns().nodes.make_vector())
     , A_direction(direction)
     , preconditioned(direction)
   {}
@@ -37,9 +37,8 @@ namespace StickSlip
                                     NodalVector          &A_x,
                                     NodalVector          &r)
   {
-    const std::vector<unsigned int> &nodes = hierarchy.finest().nonsmooth_nodes;
-    x                                      = 0.;
-    A_x                                    = 0.;
+    x                   = 0.;
+    A_x                 = 0.;
     double       rz_old = 0., rz_small = 0.;
     unsigned int steps = 0;
     while (steps < max_steps)
@@ -56,8 +55,8 @@ namespace StickSlip
           }
         else
           direction.sadd(rz / rz_old, 1., preconditioned);
-        hierarchy.matrix().vmult(A_direction, direction);
-        add_hessians(A_direction, 1., nodes, hessians, direction);
+        A.matrix().vmult(A_direction, direction);
+        A.add_hessians(A_direction, 1., hessians, direction);
         const double curvature = direction * A_direction;
         if (!(curvature > 0.))
           break;
@@ -72,8 +71,8 @@ namespace StickSlip
             r.add(-length, A_direction);
           }
       }
-    // So far it is (A + H) x.
-    add_hessians(A_x, -1., nodes, hessians, x);
+    // Until here the product is (A + H) x.
+    A.add_hessians(A_x, -1., hessians, x);
     return steps;
   }
 

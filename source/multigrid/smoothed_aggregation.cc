@@ -48,7 +48,7 @@ namespace StickSlip
     const NodeMask                  &mask)
   {
     const SilentErrors silence;
-    // They refer to the matrix.
+    // Old cycles refer to the matrix.
     cycles.reset();
     system.set_matrix(matrix, mask);
 
@@ -56,7 +56,7 @@ namespace StickSlip
     ML_Epetra::SetDefaults("SA", list);
     list.set("ML output", 0);
     list.set("PDE equations", n_components);
-    // As the preconditioner of conjugate gradients must be: symmetric.
+    // The preconditioner of conjugate gradients must be symmetric.
     list.set("smoother: type", "symmetric Gauss-Seidel");
     list.set("smoother: sweeps", 1);
     list.set("coarse: type", "Amesos-KLU");

@@ -18,19 +18,11 @@ namespace StickSlip
     class VCycleIn : public VCycle<n_components>
     {
     public:
-      explicit VCycleIn(
-        const std::vector<LevelDescription<n_components>> &descriptions);
+      VCycleIn(const std::vector<LevelDescription<n_components>> &descriptions,
+               const std::vector<BlockMatrix<n_components>>      &terms);
 
       void
-      set_terms(const std::vector<BlockMatrix<n_components>> &finest) override;
-
-      void
-      combine_coarse_levels(const std::vector<double> &coefficients) override;
-
-      void
-      set_finest_row(const BlockMatrix<n_components> &A,
-                     const unsigned int               i,
-                     const Tensor<2, n_components> &inverse_diagonal) override;
+      set_operator(const OperatorSum<n_components> &A) override;
 
       void
       set_finest_diagonal(const unsigned int             i,
@@ -87,9 +79,10 @@ namespace StickSlip
 
     template <int n_components, typename Number>
     VCycleIn<n_components, Number>::VCycleIn(
-      const std::vector<LevelDescription<n_components>> &descriptions)
+      const std::vector<LevelDescription<n_components>> &descriptions,
+      const std::vector<BlockMatrix<n_components>>      &terms)
       : descriptions(descriptions)
-      , operators(descriptions)
+      , operators(descriptions, terms)
       , levels(descriptions.size())
       , coarse_solver(
           make_coarse_solver<n_components>(CoarseSolverType::direct))
@@ -110,32 +103,10 @@ namespace StickSlip
 
     template <int n_components, typename Number>
     void
-    VCycleIn<n_components, Number>::set_terms(
-      const std::vector<BlockMatrix<n_components>> &finest)
+    VCycleIn<n_components, Number>::set_operator(
+      const OperatorSum<n_components> &A)
     {
-      operators.set_terms(finest);
-    }
-
-
-
-    template <int n_components, typename Number>
-    void
-    VCycleIn<n_components, Number>::combine_coarse_levels(
-      const std::vector<double> &coefficients)
-    {
-      operators.combine_coarse_levels(coefficients);
-    }
-
-
-
-    template <int n_components, typename Number>
-    void
-    VCycleIn<n_components, Number>::set_finest_row(
-      const BlockMatrix<n_components> &A,
-      const unsigned int               i,
-      const Tensor<2, n_components>   &inverse_diagonal)
-    {
-      operators.set_finest_row(A, i, inverse_diagonal);
+      operators.set_operator(A);
     }
 
 
@@ -193,8 +164,8 @@ namespace StickSlip
                                           const NodalVector &b,
                                           const NodeMask    &active)
     {
-      // Single precision has no room for numbers like those of a fault at
-      // rest, 1e-40, so the right hand side is scaled.
+      // Single precision has no room for numbers as small as 1e-40, which
+      // nothing forbids, so the right hand side is scaled.
       double scale = 1.;
       if (std::is_same<Number, float>::value)
         {
@@ -326,11 +297,12 @@ namespace StickSlip
   template <int n_components>
   std::unique_ptr<VCycle<n_components>>
   make_v_cycle(const CyclePrecision                               precision,
-               const std::vector<LevelDescription<n_components>> &levels)
+               const std::vector<LevelDescription<n_components>> &levels,
+               const std::vector<BlockMatrix<n_components>>      &terms)
   {
     if (precision == CyclePrecision::single_precision)
-      return std::make_unique<VCycleIn<n_components, float>>(levels);
-    return std::make_unique<VCycleIn<n_components, double>>(levels);
+      return std::make_unique<VCycleIn<n_components, float>>(levels, terms);
+    return std::make_unique<VCycleIn<n_components, double>>(levels, terms);
   }
 
 
@@ -339,7 +311,8 @@ namespace StickSlip
   template class VCycle<n_components>;                                       \
   template std::unique_ptr<VCycle<n_components>> make_v_cycle<n_components>( \
     const CyclePrecision,                                                    \
-    const std::vector<LevelDescription<n_components>> &);
+    const std::vector<LevelDescription<n_components>> &,                     \
+    const std::vector<BlockMatrix<n_components>> &);
 
   STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)

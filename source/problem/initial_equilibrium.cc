@@ -97,7 +97,7 @@ namespace StickSlip
       result.iterations = control.last_step();
 
     NodalVector reaction = problem.make_vector();
-    hierarchy.matrix().residual(reaction, load, w);
+    problem.operators().matrix().residual(reaction, load, w);
     reaction *= -1.;
     result.contact_pressure =
       contact_pressures(problem.jump_basis(), finest.nodes, reaction);

@@ -7,7 +7,6 @@
 #include <stickslip/problem/spatial_problem.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace StickSlip
 {
@@ -130,7 +129,7 @@ namespace StickSlip
     const auto position = std::find(terms.begin(), terms.end(), term);
     AssertThrow(position != terms.end(),
                 ExcMessage("The equation has no such term."));
-    return levels->term(position - terms.begin());
+    return operator_sum->terms()[position - terms.begin()];
   }
 
 
@@ -142,7 +141,7 @@ namespace StickSlip
     std::vector<double> present;
     for (const Term term : terms)
       present.push_back(coefficients[term]);
-    levels->combine(present);
+    operator_sum->combine(present);
   }
 
 
@@ -176,11 +175,7 @@ namespace StickSlip
                             mesh_hierarchy.topology().faults()[i].name +
                             "' do not touch.");
 
-    if (levels &&
-        Utilities::MPI::n_mpi_processes(finest.nodes.communicator()) == 1)
-      update(bases);
-    else
-      build(bases);
+    build(bases);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
   }
 
@@ -195,6 +190,7 @@ namespace StickSlip
 
     // The memory is needed for the new ones.
     levels.reset();
+    operator_sum.reset();
 
     // From the nodal basis to jumps, and from there down the levels. Each
     // product tells the ghosts and the sparsity on its coarse side.
@@ -241,74 +237,10 @@ namespace StickSlip
         bases.back().to_jumps(finest.nodes.global_index(i)));
     B_inverse =
       TransferMatrix(inverse_rows, finest.nodes, to_jump_basis->coarse_nodes());
-    levels = std::make_unique<LevelHierarchy<dim>>(std::move(descriptions));
-    levels->set_terms(std::move(terms));
-  }
-
-
-
-  template <int dim>
-  void
-  SpatialProblem<dim>::update(const std::vector<JumpBasis<dim>> &bases)
-  {
-    // On one process local and global numbers are the same.
-    const unsigned int    n_levels = mesh_hierarchy.n_levels();
-    const MeshLevel<dim> &finest   = mesh_hierarchy.finest();
-    if (near_faults.empty())
-      for (unsigned int l = 0; l < n_levels; ++l)
-        near_faults.push_back(rows_near_faults(mesh_hierarchy, l, bases));
-
-    const std::vector<unsigned int> slave_nodes =
-      slave_nodes_of_all_faults(bases.back());
-    std::vector<GlobalRow> rows, inverse_rows;
-    for (const unsigned int node : slave_nodes)
-      {
-        rows.push_back(bases.back().to_nodal(node));
-        inverse_rows.push_back(bases.back().to_jumps(node));
-      }
-    to_jump_basis = std::make_unique<GalerkinProduct<dim>>(
-      *to_jump_basis, nodal_terms.front().sparsity(), slave_nodes, rows);
-    B_inverse = TransferMatrix(B_inverse,
-                               slave_nodes,
-                               inverse_rows,
-                               to_jump_basis->coarse_nodes());
-
-    std::vector<LevelDescription<dim>> descriptions(n_levels);
-    descriptions.back().nodes            = to_jump_basis->coarse_nodes();
-    const GalerkinProduct<dim> *to_level = to_jump_basis.get();
-    for (unsigned int l = n_levels - 1; l > 0; --l)
-      {
-        // Where the matrix has changed on this level, or the transfer may have.
-        std::vector<unsigned int> changed;
-        std::set_union(near_faults[l].begin(),
-                       near_faults[l].end(),
-                       to_level->updated_rows().begin(),
-                       to_level->updated_rows().end(),
-                       std::back_inserter(changed));
-        rows.clear();
-        for (const unsigned int node : changed)
-          rows.push_back(jump_prolongation(
-            bases[l - 1], bases[l], mesh_hierarchy.prolongation(l), node));
-        LevelDescription<dim> &fine = descriptions[l];
-        fine.to_coarser             = std::make_shared<GalerkinProduct<dim>>(
-          *levels->description(l).to_coarser,
-          *to_level->coarse_sparsity(),
-          changed,
-          rows);
-        descriptions[l - 1].nodes = fine.to_coarser->coarse_nodes();
-        to_level                  = fine.to_coarser.get();
-      }
-    describe(descriptions, bases);
-
-    const NodeMask                all(finest.nodes.n_local(), dim);
-    std::vector<BlockMatrix<dim>> terms;
-    for (unsigned int k = 0; k < nodal_terms.size(); ++k)
-      {
-        const BlockMatrix<dim> before = levels->release_term(k);
-        terms.emplace_back(to_jump_basis->coarse_sparsity());
-        to_jump_basis->update(nodal_terms[k], all, before, terms.back());
-      }
-    levels->update(std::move(descriptions), std::move(terms));
+    operator_sum =
+      std::make_unique<OperatorSum<dim>>(descriptions.back(), std::move(terms));
+    levels = std::make_unique<LevelHierarchy<dim>>(*operator_sum,
+                                                   std::move(descriptions));
   }
 
 
@@ -350,6 +282,24 @@ namespace StickSlip
   SpatialProblem<dim>::meshes() const
   {
     return mesh_hierarchy;
+  }
+
+
+
+  template <int dim>
+  OperatorSum<dim> &
+  SpatialProblem<dim>::operators()
+  {
+    return *operator_sum;
+  }
+
+
+
+  template <int dim>
+  const OperatorSum<dim> &
+  SpatialProblem<dim>::operators() const
+  {
+    return *operator_sum;
   }
 
 

@@ -35,24 +35,12 @@ namespace StickSlip
                parameters.linear_correction,
                {{LinearCorrectionType::multigrid, "multigrid"},
                 {LinearCorrectionType::umfpack, "UMFPACK"},
-                {LinearCorrectionType::mumps, "MUMPS"},
-                {LinearCorrectionType::amg, "AMG"},
-                {LinearCorrectionType::none, "none"}},
+                {LinearCorrectionType::mumps, "MUMPS"}},
                "How the linearised problem of an iteration is solved: by some "
                "steps of conjugate gradients with the geometric multigrid "
-               "method (multigrid, recommended); exactly, by sparse "
+               "method (multigrid, recommended), or exactly, by sparse "
                "factorisation with UMFPACK or MUMPS, for small problems and "
-               "comparisons; by conjugate gradients with algebraic multigrid "
-               "(AMG), for comparisons; or not at all (none), which leaves the "
-               "nonlinear Gauss-Seidel method. UMFPACK, MUMPS and AMG run on "
-               "one process only.");
-    add_number(prm,
-               "AMG tolerance",
-               parameters.amg_tolerance,
-               NumberRange().above(0).below(1),
-               "The linear correction AMG ends when its residual, in the norm "
-               "of the preconditioner, is below this times the initial one, "
-               "without unit.");
+               "comparisons. UMFPACK and MUMPS run on one process only.");
     add_count(prm,
               "Cycles per correction",
               parameters.cycles_per_correction,

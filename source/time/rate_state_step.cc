@@ -6,7 +6,6 @@
 #include <stickslip/base/magnitude.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/faults/contact_pressure.h>
-#include <stickslip/problem/rigid_body_modes.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
@@ -43,12 +42,8 @@ namespace StickSlip
     // The old one may refer to levels that are gone.
     solver.reset();
     if (time_parameters.rate_solver == RateSolver::condensed_newton)
-      solver = std::make_unique<CondensedSolver<dim>>(problem.hierarchy(),
+      solver = std::make_unique<CondensedSolver<dim>>(problem.operators(),
                                                       tnnmg_parameters);
-    else if (tnnmg_parameters.linear_correction == LinearCorrectionType::amg)
-      solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
-                                                  tnnmg_parameters,
-                                                  rigid_body_modes(problem));
     else
       solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
                                                   tnnmg_parameters);
@@ -167,7 +162,7 @@ namespace StickSlip
                                        const NodalVector &w) const
   {
     NodalVector reaction = problem.make_vector();
-    problem.hierarchy().matrix().residual(reaction, rhs, w);
+    problem.operators().matrix().residual(reaction, rhs, w);
     reaction *= -1.;
     return contact_pressures(problem.jump_basis(),
                              problem.hierarchy().finest().nodes,
@@ -305,7 +300,7 @@ namespace StickSlip
     problem.to_nodal(to.velocity, w);
     to.slip_rate = faults.tangential_jumps(w);
     to.balancing_traction =
-      balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
+      balancing_tractions(faults, to, problem.operators().matrix(), rhs, w);
     complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       {

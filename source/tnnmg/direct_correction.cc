@@ -7,9 +7,9 @@ namespace StickSlip
 {
   template <int n_components>
   DirectCorrection<n_components>::DirectCorrection(
-    LevelHierarchy<n_components>                      &hierarchy,
+    OperatorSum<n_components>                         &operators,
     std::unique_ptr<SparseFactorisation<n_components>> factorisation)
-    : hierarchy(hierarchy)
+    : operators(operators)
     , factorisation(std::move(factorisation))
   {}
 
@@ -21,16 +21,18 @@ namespace StickSlip
     const std::vector<Tensor<2, n_components>> &new_hessians,
     const NodeMask                             &new_active)
   {
-    if (is_factorised && version == hierarchy.operator_version() &&
+    if (is_factorised && version == operators.version() &&
         hessians == new_hessians &&
-        active.is_equal(new_active, hierarchy.finest().nodes.n_owned()))
+        active.is_equal(new_active, operators.unknowns().nodes.n_owned()))
       return;
     is_factorised = false;
-    version       = hierarchy.operator_version();
+    version       = operators.version();
     hessians      = new_hessians;
     active        = new_active;
-
-    factorisation->set_matrix(linearised_matrix(hierarchy, hessians), active);
+    operators.with_hessians(hessians,
+                            [&](const BlockMatrix<n_components> &linearised) {
+                              factorisation->set_matrix(linearised, active);
+                            });
     is_factorised = true;
   }
 
@@ -44,7 +46,7 @@ namespace StickSlip
   {
     factorisation->solve(x, r);
     active.apply(x);
-    hierarchy.matrix().vmult(A_x, x);
+    operators.matrix().vmult(A_x, x);
     return 1;
   }
 

@@ -60,9 +60,10 @@ namespace StickSlip
 
   template <int n_components>
   void
-  project(const NonsmoothFunctional<n_components> &functional, NodalVector &w)
+  project(const NonsmoothFunctional<n_components> &functional,
+          const std::vector<unsigned int>         &nodes,
+          NodalVector                             &w)
   {
-    const std::vector<unsigned int> &nodes = functional.nodes();
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> v =
@@ -77,11 +78,11 @@ namespace StickSlip
   template <int n_components>
   bool
   project_step(const NonsmoothFunctional<n_components> &functional,
+               const std::vector<unsigned int>         &nodes,
                const NodalVector                       &w,
                NodalVector                             &d)
   {
-    unsigned int                     n_shortened = 0;
-    const std::vector<unsigned int> &nodes       = functional.nodes();
+    unsigned int n_shortened = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> v = block<n_components>(w, nodes[k]);
@@ -103,11 +104,11 @@ namespace StickSlip
   template <int n_components>
   double
   increase(const NonsmoothFunctional<n_components> &functional,
+           const std::vector<unsigned int>         &nodes,
            const NodalVector                       &w,
            const NodalVector                       &v)
   {
-    double                           sum   = 0;
-    const std::vector<unsigned int> &nodes = functional.nodes();
+    double sum = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       sum += functional.value(k, block<n_components>(w, nodes[k])) -
              functional.value(k, block<n_components>(v, nodes[k]));
@@ -119,12 +120,12 @@ namespace StickSlip
   template <int n_components>
   double
   slope_of(const NonsmoothFunctional<n_components> &functional,
+           const std::vector<unsigned int>         &nodes,
            const NodalVector                       &w,
            const NodalVector                       &d,
            const double                             t)
   {
-    double                           sum   = 0;
-    const std::vector<unsigned int> &nodes = functional.nodes();
+    double sum = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> direction =
@@ -144,10 +145,10 @@ namespace StickSlip
   template <int n_components>
   void
   subtract_gradient(const NonsmoothFunctional<n_components> &functional,
+                    const std::vector<unsigned int>         &nodes,
                     const NodalVector                       &w,
                     NodalVector                             &r)
   {
-    const std::vector<unsigned int> &nodes = functional.nodes();
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> gradient =
@@ -162,6 +163,7 @@ namespace StickSlip
   template <int n_components>
   unsigned int
   linearise(const NonsmoothFunctional<n_components>    &functional,
+            const std::vector<unsigned int>            &nodes,
             const TNNMGParameters                      &parameters,
             const std::vector<Tensor<2, n_components>> &diagonal_blocks,
             const NodalVector                          &w,
@@ -169,7 +171,6 @@ namespace StickSlip
             std::vector<Tensor<2, n_components>>       &hessians,
             NodeMask                                   &active)
   {
-    const std::vector<unsigned int> &nodes = functional.nodes();
     AssertDimension(diagonal_blocks.size(), nodes.size());
     unsigned int n_truncated = 0;
     hessians.assign(nodes.size(), Tensor<2, n_components>());
@@ -217,33 +218,40 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components)                    \
-  template void project<n_components>(                         \
-    const NonsmoothFunctional<n_components> &, NodalVector &); \
-  template bool project_step<n_components>(                    \
-    const NonsmoothFunctional<n_components> &,                 \
-    const NodalVector &,                                       \
-    NodalVector &);                                            \
-  template double increase<n_components>(                      \
-    const NonsmoothFunctional<n_components> &,                 \
-    const NodalVector &,                                       \
-    const NodalVector &);                                      \
-  template double slope_of<n_components>(                      \
-    const NonsmoothFunctional<n_components> &,                 \
-    const NodalVector &,                                       \
-    const NodalVector &,                                       \
-    const double);                                             \
-  template void subtract_gradient<n_components>(               \
-    const NonsmoothFunctional<n_components> &,                 \
-    const NodalVector &,                                       \
-    NodalVector &);                                            \
-  template unsigned int linearise<n_components>(               \
-    const NonsmoothFunctional<n_components> &,                 \
-    const TNNMGParameters &,                                   \
-    const std::vector<Tensor<2, n_components>> &,              \
-    const NodalVector &,                                       \
-    const NodalVector &,                                       \
-    std::vector<Tensor<2, n_components>> &,                    \
+#define STICKSLIP_INSTANTIATE(n_components)       \
+  template void project<n_components>(            \
+    const NonsmoothFunctional<n_components> &,    \
+    const std::vector<unsigned int> &,            \
+    NodalVector &);                               \
+  template bool project_step<n_components>(       \
+    const NonsmoothFunctional<n_components> &,    \
+    const std::vector<unsigned int> &,            \
+    const NodalVector &,                          \
+    NodalVector &);                               \
+  template double increase<n_components>(         \
+    const NonsmoothFunctional<n_components> &,    \
+    const std::vector<unsigned int> &,            \
+    const NodalVector &,                          \
+    const NodalVector &);                         \
+  template double slope_of<n_components>(         \
+    const NonsmoothFunctional<n_components> &,    \
+    const std::vector<unsigned int> &,            \
+    const NodalVector &,                          \
+    const NodalVector &,                          \
+    const double);                                \
+  template void subtract_gradient<n_components>(  \
+    const NonsmoothFunctional<n_components> &,    \
+    const std::vector<unsigned int> &,            \
+    const NodalVector &,                          \
+    NodalVector &);                               \
+  template unsigned int linearise<n_components>(  \
+    const NonsmoothFunctional<n_components> &,    \
+    const std::vector<unsigned int> &,            \
+    const TNNMGParameters &,                      \
+    const std::vector<Tensor<2, n_components>> &, \
+    const NodalVector &,                          \
+    const NodalVector &,                          \
+    std::vector<Tensor<2, n_components>> &,       \
     NodeMask &);
 
   STICKSLIP_INSTANTIATE(1)

@@ -11,7 +11,7 @@ namespace StickSlip
     const TNNMGParameters        &parameters)
     : hierarchy(hierarchy)
     , parameters(parameters)
-    , cg(hierarchy)
+    , cg(hierarchy.operators())
   {
     hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
     hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);

@@ -7,16 +7,16 @@ namespace StickSlip
 {
   template <int n_components>
   void
-  nonlinear_gauss_seidel(const LevelHierarchy<n_components>      &hierarchy,
+  nonlinear_gauss_seidel(const OperatorSum<n_components>         &operators,
                          const NonsmoothFunctional<n_components> &functional,
                          const NodalVector                       &b,
                          NodalVector                             &w)
   {
-    const BlockMatrix<n_components> &matrix = hierarchy.matrix();
-    const NodeMask                  &fixed  = hierarchy.finest().fixed;
-    const double *inverse = hierarchy.inverse_diagonal().data();
-    const std::vector<unsigned int> &nodes = functional.nodes();
-    const Kernels::BlockRows<double> A     = matrix.rows();
+    const BlockMatrix<n_components> &matrix  = operators.matrix();
+    const NodeMask                  &fixed   = operators.unknowns().fixed;
+    const double                    *inverse = operators.inverse_diagonals();
+    const std::vector<unsigned int> &nodes   = functional.nodes();
+    const Kernels::BlockRows<double> A       = matrix.rows();
 
     update_ghosts(w);
     unsigned int next = 0;
@@ -65,19 +65,14 @@ namespace StickSlip
 
 
 
-  template void
-  nonlinear_gauss_seidel<1>(const LevelHierarchy<1> &,
-                            const NonsmoothFunctional<1> &,
-                            const NodalVector &,
-                            NodalVector &);
-  template void
-  nonlinear_gauss_seidel<2>(const LevelHierarchy<2> &,
-                            const NonsmoothFunctional<2> &,
-                            const NodalVector &,
-                            NodalVector &);
-  template void
-  nonlinear_gauss_seidel<3>(const LevelHierarchy<3> &,
-                            const NonsmoothFunctional<3> &,
-                            const NodalVector &,
-                            NodalVector &);
+#define STICKSLIP_INSTANTIATE(n_components)           \
+  template void nonlinear_gauss_seidel<n_components>( \
+    const OperatorSum<n_components> &,                \
+    const NonsmoothFunctional<n_components> &,        \
+    const NodalVector &,                              \
+    NodalVector &);
+
+  STICKSLIP_INSTANTIATE(1)
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/tnnmg/functional_sums.h>
+#include <stickslip/tnnmg/line_search.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
 #include <cmath>
@@ -9,8 +13,16 @@ namespace StickSlip
 {
   template <int n_components>
   NonsmoothSolver<n_components>::NonsmoothSolver(
+    const Unknowns        &unknowns,
     const TNNMGParameters &parameters)
-    : parameters(parameters)
+    : unknowns(unknowns)
+    , parameters(parameters)
+    , residual(unknowns.nodes.make_vector())
+    , previous(residual)
+    , new_residual(residual)
+    , correction(residual)
+    , A_correction(residual)
+    , scratch(residual)
   {}
 
 
@@ -23,6 +35,7 @@ namespace StickSlip
     NodalVector                             &w)
   {
     SolveSummary summary;
+    project(functional, functional.nodes(), w);
     start(b, w);
     while (!summary.converged &&
            summary.iterations.size() < parameters.max_iterations)
@@ -47,6 +60,127 @@ namespace StickSlip
     const IterationSummary *before) const
   {
     return last.relative_error(before) <= parameters.tolerance;
+  }
+
+
+
+  template <int n_components>
+  IterationSummary
+  NonsmoothSolver<n_components>::carry_out_steps(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
+    NodalVector                             &w)
+  {
+    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
+    IterationSummary                 summary;
+    previous = w;
+
+    if (parameters.nonlinear_smoothing)
+      smooth(functional, b, w, summary);
+    else
+      new_residual = residual;
+
+    NodalVector &force = scratch;
+    force              = new_residual;
+    subtract_gradient(functional, nodes, w, force);
+    diagonal_blocks.clear();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      diagonal_blocks.push_back(diagonal_block(k));
+    active              = unknowns.fixed;
+    summary.n_truncated = Utilities::MPI::sum(linearise(functional,
+                                                        nodes,
+                                                        parameters,
+                                                        diagonal_blocks,
+                                                        w,
+                                                        force,
+                                                        hessians,
+                                                        active),
+                                              w.get_mpi_communicator());
+
+    active.apply(force);
+    summary.cycles = correct(hessians, active, correction, A_correction, force);
+    if (project_step(functional, nodes, w, correction))
+      vmult(A_correction, correction);
+
+    const double linear = correction * new_residual;
+    const double square = correction * A_correction;
+    const auto   slope  = [&](const double t) {
+      return slope_of(functional, nodes, w, correction, t) - linear +
+             t * square;
+    };
+    const LineSearchResult line_search = find_step_length(slope);
+    const double           t           = line_search.step_length;
+    summary.step_length                = t;
+    summary.line_search_evaluations    = line_search.evaluations;
+
+    // The condition is not only for speed: zero times NaN would spoil the
+    // iterate.
+    if (t > 0.)
+      {
+        NodalVector &smoothed = scratch;
+        smoothed              = w;
+        w.add(t, correction);
+        project(functional, nodes, w);
+        summary.correction_decrease = t * linear - 0.5 * t * t * square -
+                                      increase(functional, nodes, w, smoothed);
+        new_residual.add(-t, A_correction);
+      }
+
+    // |d|^2 = d . A d = d . (r_old - r_new) for the change d of the whole
+    // iteration; positive but for rounding.
+    NodalVector &change = previous;
+    change.sadd(-1., 1., w);
+    residual -= new_residual;
+    summary.correction_norm = std::sqrt(std::abs(change * residual));
+    residual                = new_residual;
+
+    NodalVector &A_w = scratch;
+    A_w              = b;
+    A_w -= residual;
+    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + w * A_w));
+    return summary;
+  }
+
+
+
+  template <int n_components>
+  void
+  NonsmoothSolver<n_components>::smooth(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
+    NodalVector                             &w,
+    IterationSummary                        &summary)
+  {
+    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
+    sweep(functional, b, w, new_residual);
+
+    // The quadratic part of J changes by -d . (r_old + r_new) / 2 over a change
+    // d of w, where r = b - A w.
+    correction = w;
+    correction -= previous;
+    const double old_part = correction * residual,
+                 new_part = correction * new_residual;
+    summary.smoother_decrease =
+      0.5 * (old_part + new_part) - increase(functional, nodes, w, previous);
+
+    // Processes that move neighbours at the same time may go too far together.
+    // A d = r_old - r_new.
+    if (residual.get_partitioner()->n_mpi_processes() == 1 ||
+        summary.smoother_decrease >= 0. || !std::isfinite(old_part + new_part))
+      return;
+    const double t =
+      find_step_length([&](const double s) {
+        return slope_of(functional, nodes, previous, correction, s) - old_part +
+               s * (old_part - new_part);
+      }).step_length;
+    summary.smoother_step_length = t;
+    w                            = previous;
+    w.add(t, correction);
+    project(functional, nodes, w);
+    new_residual.sadd(t, 1. - t, residual);
+    summary.smoother_decrease = t * old_part -
+                                0.5 * t * t * (old_part - new_part) -
+                                increase(functional, nodes, w, previous);
   }
 
 

@@ -30,14 +30,9 @@ namespace StickSlip
 
     BlockSparsity() = default;
 
-    /** From sorted or unsorted lists of columns; the diagonal is added. */
+    /** The sparsity with these sorted or unsorted lists of columns; the
+     * diagonal is added. */
     explicit BlockSparsity(std::vector<std::vector<unsigned int>> rows);
-
-    /** The sparsity @p before, but for the @p changed rows, in ascending order,
-     * which are given as lists of columns. */
-    BlockSparsity(const BlockSparsity                   &before,
-                  const std::vector<unsigned int>       &changed,
-                  std::vector<std::vector<unsigned int>> rows);
 
     unsigned int
     n_rows() const;
@@ -144,12 +139,6 @@ namespace StickSlip
             const std::vector<BlockMatrix> &terms,
             const unsigned int              begin,
             const unsigned int              end);
-
-    /** Take over all rows but the @p changed ones, in ascending order, from a
-     * matrix whose sparsity is the same in these rows. */
-    void
-    copy_other_rows(const BlockMatrix               &before,
-                    const std::vector<unsigned int> &changed);
 
     /** Bytes of the values; the sparsity is shared. */
     std::size_t

@@ -15,8 +15,7 @@ namespace StickSlip
    * The products P^T A P of block matrices with one transfer matrix P acting
    * on each component. The sparsity of the product and the messages between
    * processes are found once; its values can be computed for all or for some
-   * of its rows, so that a change of A near the faults costs only the rows that
-   * see it.
+   * of its rows, so that a local change of A costs only the rows that see it.
    *
    * Each process forms the share of its own rows of A; what belongs to coarse
    * nodes of others is sent to these and added there. Matrices may be in single
@@ -42,30 +41,6 @@ namespace StickSlip
                     const std::vector<GlobalRow> &prolongation,
                     const IndexSet               &owned_coarse);
 
-    /**
-     * Another product, but for some rows of A and P. On one process only, with
-     * the same nodes.
-     *
-     * @param before The product from which everything else is taken.
-     * @param fine The sparsity of A.
-     * @param changed The rows in which P, or A, or the mask of A may differ
-     * from what they were, in ascending order.
-     * @param prolongation The rows of P there.
-     */
-    GalerkinProduct(const GalerkinProduct           &before,
-                    const BlockSparsity             &fine,
-                    const std::vector<unsigned int> &changed,
-                    const std::vector<GlobalRow>    &prolongation);
-
-    /** Whether this product was made from another one. */
-    bool
-    is_update() const;
-
-    /** The rows of the product that may differ from what they were before, in
-     * ascending order. */
-    const std::vector<unsigned int> &
-    updated_rows() const;
-
     /** The coarse nodes; ghosts are the columns of P and of the product. */
     const NodePartition &
     coarse_nodes() const;
@@ -87,15 +62,6 @@ namespace StickSlip
             const NodeMask                              &fine_mask,
             BlockMatrix<n_components, CoarseNumber>     &coarse);
 
-    /** The same where this is an update and @p before is the product of before:
-     * only the updated rows are computed. */
-    template <typename FineNumber, typename CoarseNumber>
-    void
-    update(const BlockMatrix<n_components, FineNumber>   &fine,
-           const NodeMask                                &fine_mask,
-           const BlockMatrix<n_components, CoarseNumber> &before,
-           BlockMatrix<n_components, CoarseNumber>       &coarse);
-
     /**
      * Choose the rows of compute_selected_rows(), by the local index of the
      * coarse node; ghosts are selected where their owners have them selected.
@@ -104,7 +70,7 @@ namespace StickSlip
     void
     select_rows(const std::vector<bool> &is_selected);
 
-    /** The same as compute() for the selected rows only. Collective. */
+    /** The selected rows of the product only. Collective. */
     template <typename FineNumber, typename CoarseNumber>
     void
     compute_selected_rows(const BlockMatrix<n_components, FineNumber> &fine,
@@ -116,7 +82,7 @@ namespace StickSlip
     std::vector<unsigned int>
     rows_from(const std::vector<unsigned int> &fine_rows) const;
 
-    /** The same as compute() for the given rows only. On one process only. */
+    /** The given rows of the product only. On one process. */
     template <typename FineNumber, typename CoarseNumber>
     void
     compute_rows(const BlockMatrix<n_components, FineNumber> &fine,
@@ -160,13 +126,10 @@ namespace StickSlip
     NodePartition                        nodes;
     TransferMatrix                       transfer;
     std::shared_ptr<const BlockSparsity> sparsity;
-    /** Of the ghosts' rows what this process computes. */
+    /** The share of this process in the rows of ghosts. */
     BlockSparsity         ghost_sparsity;
     AlignedVector<double> ghost_values;
     Rows                  all, selected;
-
-    bool                      from_before = false;
-    std::vector<unsigned int> updated;
 
     /** Work space: P^T A for one coarse row, as a list of fine columns, and
      * the row of the product. */

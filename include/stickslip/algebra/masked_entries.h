@@ -31,8 +31,8 @@ namespace StickSlip
 
 
   /**
-   * All of them, scalar row after scalar row, each from its first column to its
-   * last one.
+   * All masked entries, scalar row after scalar row, each from its first column
+   * to its last one.
    */
   template <int n_components>
   inline void
@@ -48,6 +48,35 @@ namespace StickSlip
              ++k)
           for (unsigned int d = 0; d < n_components; ++d)
             *value++ = masked_entry(matrix, mask, i, k, c, d);
+  }
+
+
+
+  /**
+   * The inverse of the part of a node's diagonal @p block that belongs to
+   * active components, zero elsewhere.
+   */
+  template <int n_components>
+  inline Tensor<2, n_components>
+  invert_active(const Tensor<2, n_components> &block,
+                const NodeMask                &active,
+                const unsigned int             node)
+  {
+    if (active.is_fully_active(node))
+      return invert(block);
+    Tensor<2, n_components> result = block;
+    for (unsigned int c = 0; c < n_components; ++c)
+      if (!active.is_active(node, c))
+        {
+          for (unsigned int d = 0; d < n_components; ++d)
+            result[c][d] = result[d][c] = 0.;
+          result[c][c] = 1.;
+        }
+    result = invert(result);
+    for (unsigned int c = 0; c < n_components; ++c)
+      if (!active.is_active(node, c))
+        result[c][c] = 0.;
+    return result;
   }
 } // namespace StickSlip
 

@@ -14,10 +14,9 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * Which components of each node take part in a linear problem. Components
-   * that do not (fixed by a boundary condition or the contact, determined by
-   * a hanging node constraint, truncated) are masked: their corrections are
-   * zero.
+   * The components of each node that take part in a linear problem. All others
+   * (fixed by a boundary condition, determined by a hanging node constraint,
+   * truncated) are masked: their corrections are zero.
    */
   class NodeMask
   {
@@ -39,14 +38,15 @@ namespace StickSlip
       return (active[node] >> component) & 1u;
     }
 
-    /** Whether all components of the node take part. */
+    /** Return whether all components of the node take part. */
     bool
     is_fully_active(const unsigned int node) const
     {
       return active[node] == full;
     }
 
-    /** Whether the components of the node that take part are the same. */
+    /** Return whether the components of the node that take part are the
+     * same. */
     bool
     is_equal_at(const NodeMask &other, const unsigned int node) const
     {
@@ -75,7 +75,7 @@ namespace StickSlip
     void
     apply(NodeValues<Number> &vector) const;
 
-    /** Whether the masks of the first @p n nodes are the same. */
+    /** Return whether the masks of the first @p n nodes are the same. */
     bool
     is_equal(const NodeMask &other, const unsigned int n) const;
 

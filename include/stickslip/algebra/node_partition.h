@@ -51,10 +51,10 @@ namespace StickSlip
   gather_on_first(const NodalVector &vector);
 
   /**
-   * Which nodes of one level this process owns and which others it reads, and
-   * the matching partition of vectors with some entries a node. Local indices
-   * count the owned nodes in the order of their global numbers, then the
-   * ghosts in the order of theirs.
+   * The nodes of one level that this process owns, the others that it reads,
+   * and the matching partition of vectors with some entries a node. Local
+   * indices count the owned nodes in the order of their global numbers, then
+   * the ghosts in the order of theirs.
    */
   class NodePartition
   {
@@ -95,7 +95,7 @@ namespace StickSlip
     const IndexSet &
     owned() const;
 
-    /** Whether the node with this global number is owned or a ghost. */
+    /** Return whether the node with this global number is owned or a ghost. */
     bool
     is_local(const types::global_dof_index node) const;
 

@@ -76,7 +76,7 @@ namespace StickSlip
                   const Number           *b,
                   Number                 *x);
 
-    /** The same in descending order. */
+    /** The sweep in descending order. */
     template <int n_components, typename Number>
     void
     sweep_backward(const Triangle<Number> &lower,

@@ -42,15 +42,6 @@ namespace StickSlip
                    const NodePartition          &fine,
                    const NodePartition          &coarse);
 
-    /**
-     * The matrix @p before, but for the @p changed rows, in ascending order,
-     * which are given. The nodes are the same, on one process.
-     */
-    TransferMatrix(const TransferMatrix            &before,
-                   const std::vector<unsigned int> &changed,
-                   const std::vector<GlobalRow>    &rows,
-                   const NodePartition             &coarse);
-
     /** Number of rows, those of ghosts included. */
     unsigned int
     n_rows() const;

@@ -10,7 +10,7 @@
 namespace StickSlip
 {
   /**
-   * Something the user wrote cannot be used. The message is one sentence
+   * An entry of the user's that cannot be used. The message is one sentence
    * naming the entry, its value and what is allowed, fit to be shown as it is.
    */
   class InputError : public std::runtime_error

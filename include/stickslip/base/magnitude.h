@@ -13,9 +13,9 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * The magnitude of a slip rate. Other than Tensor::norm() it does not form
-   * squares: slip rates of stuck faults below 1e-162 m/s, whose squares are
-   * too small for a number, are nothing unusual.
+   * The magnitude of a vector. Other than Tensor::norm() it does not form
+   * squares, which are too small for a number where the vector is below
+   * 1e-162.
    */
   inline double
   magnitude(const Tensor<1, 1> &v)

@@ -5,6 +5,7 @@
 #define stickslip_condensed_condensed_operator_h
 
 #include <stickslip/algebra/mumps_factorisation.h>
+#include <stickslip/algebra/operator_sum.h>
 #include <stickslip/algebra/umfpack_factorisation.h>
 
 namespace dealii
@@ -24,12 +25,12 @@ namespace StickSlip
   {
     CondensedEntries() = default;
 
-    /** The components of @p nodes that are not fixed. */
-    CondensedEntries(const std::vector<unsigned int> &nodes,
-                     const NodeMask                  &fixed);
+    /** The components of the nonsmooth nodes that are not fixed. */
+    explicit CondensedEntries(const Unknowns &unknowns);
 
-    /** Positions n_components * node + component in a vector of unknowns. */
-    std::vector<unsigned int> positions;
+    /** Positions n_components * node + component in a vector of all unknowns,
+     * and n_components * k + component in one of the nonsmooth nodes only. */
+    std::vector<unsigned int> positions, positions_at_nodes;
 
     /** The number of the entry of component c of the k-th node, or
      * numbers::invalid_unsigned_int. */
@@ -106,7 +107,8 @@ namespace StickSlip
 
     const CondensedEntries<n_components> &entries;
     MumpsFactorisation<n_components>      bulk;
-    /** Of A_II once more where that is small: UMFPACK solves faster then. */
+    /** Factors of A_II once more where it is small: UMFPACK solves faster
+     * then. */
     std::unique_ptr<UmfpackFactorisation<n_components>> small_bulk;
     std::unique_ptr<LAPACKFullMatrix<double>>           factors;
   };

@@ -5,7 +5,6 @@
 #define stickslip_condensed_condensed_solver_h
 
 #include <stickslip/condensed/condensed_operator.h>
-#include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
 #include <list>
@@ -18,10 +17,9 @@ namespace StickSlip
    *
    *   1/2 z . S z - g . z + phi(z)
    *
-   * with the Schur complement S of A as a dense matrix. The iteration is that
-   * of TNNMGSolver, with an exact correction: nonlinear Gauss-Seidel,
-   * truncation, Newton's method, line search. The components outside F are
-   * found by finish().
+   * with the Schur complement S of A as a dense matrix. The steps of
+   * NonsmoothSolver are carried out on z, with an exact correction. The
+   * components outside F are found by finish().
    *
    * S and the factors of the rest are made once for each operator, and kept
    * for those used last. Memory grows with the square, the time for an operator
@@ -34,10 +32,10 @@ namespace StickSlip
     /** The largest number of entries of F. */
     static constexpr unsigned int max_entries = 20000;
 
-    /** The hierarchy holds A and the fixed components. Throws AgreedFailure if
+    /** @p operators must live longer than this object. Throws AgreedFailure if
      * there are more than max_entries entries. */
-    CondensedSolver(const LevelHierarchy<n_components> &hierarchy,
-                    const TNNMGParameters              &parameters);
+    CondensedSolver(const OperatorSum<n_components> &operators,
+                    const TNNMGParameters           &parameters);
 
     void
     start(const NodalVector &b, const NodalVector &w) override;
@@ -71,40 +69,50 @@ namespace StickSlip
     void
     find_operator();
 
-    /** Nonlinear Gauss-Seidel. */
     void
-    smooth(const NonsmoothFunctional<n_components> &functional, NodalVector &w);
+    sweep(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &g,
+          NodalVector                             &z,
+          NodalVector                             &r) override;
 
-    /** The entries of F in a vector. */
+    /** y = S x. */
+    void
+    vmult(NodalVector &y, const NodalVector &x) const override;
+
+    /** The block of S, or of the identity in fixed components. */
+    Tensor<2, n_components>
+    diagonal_block(const unsigned int k) const override;
+
+    unsigned int
+    correct(const std::vector<Tensor<2, n_components>> &hessians,
+            const NodeMask                             &active,
+            NodalVector                                &x,
+            NodalVector                                &S_x,
+            NodalVector                                &r) override;
+
+    /** The entries of F in a vector of the nonsmooth nodes. */
     std::vector<double>
-    values_of(const NodalVector &vector) const;
+    entries_of(const NodalVector &z) const;
+
+    /** Set the entries of F there. */
+    void
+    set_entries(NodalVector &z, const std::vector<double> &values) const;
 
     /** Set the fixed components and those of F to zero. */
     void
     restrict_to_eliminated(NodalVector &vector) const;
 
-    /** Block of S of the k-th node; that of the identity in fixed
-     * components. */
-    Tensor<2, n_components>
-    diagonal_block(const unsigned int k) const;
-
-    const LevelHierarchy<n_components> &hierarchy;
-    CondensedEntries<n_components>      entries;
-    /** Those used last come first. */
-    std::list<Operator> operators;
+    const OperatorSum<n_components> &operators;
+    CondensedEntries<n_components>   entries;
+    /** Operators used last come first. */
+    std::list<Operator> condensed_operators;
     unsigned int        condensations = 0;
 
-    /** The fixed components, what remains of b with them, and g. */
-    NodalVector         prescribed, load;
-    std::vector<double> condensed_load;
-    /** g - S z. */
-    std::vector<double> residual;
-    /** w . A w for z = 0. */
-    double square_at_zero = 0;
-
-    NodeMask                             active;
-    NodalVector                          previous, correction, scratch, bulk;
-    std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
+    /** The fixed components, what remains of b with them, and two vectors of
+     * all unknowns as work space. */
+    NodalVector prescribed, load, scratch, bulk;
+    /** Vectors of the nonsmooth nodes. */
+    NodalVector g, z;
   };
 } // namespace StickSlip
 

@@ -10,7 +10,7 @@
 namespace StickSlip
 {
   /**
-   * Some cycles of smoothed aggregation with ML of Trilinos, with the
+   * Two cycles of smoothed aggregation with ML of Trilinos, with the
    * translations as near null space: for coarsest levels too large to
    * factorise, as those of meshes that come with little or no hierarchy.
    */

@@ -40,7 +40,7 @@ namespace StickSlip
                  const Tensor<2, n_components> &block,
                  const NodeMask                &active);
 
-    /** The same by the inverse of its active part. */
+    /** Set it by the inverse of its active part. */
     void
     set_inverse_diagonal(const unsigned int             i,
                          const Tensor<2, n_components> &inverse);
@@ -93,17 +93,6 @@ namespace StickSlip
     AlignedVector<Number> inverse_diagonal;
   };
 
-
-
-  /**
-   * The inverse of the part of a node's diagonal @p block that belongs to
-   * active components, zero elsewhere.
-   */
-  template <int n_components>
-  Tensor<2, n_components>
-  invert_active(const Tensor<2, n_components> &block,
-                const NodeMask                &active,
-                const unsigned int             node);
 } // namespace StickSlip
 
 #endif

@@ -24,13 +24,13 @@ namespace StickSlip
   };
 
   /**
-   * How the coarsest level is solved.
+   * The ways to solve the coarsest level.
    */
   enum class CoarseSolverType
   {
-    /** By factorisation. */
+    /** Factorisation. */
     direct,
-    /** By cycles of an algebraic multigrid method. */
+    /** Cycles of an algebraic multigrid method. */
     amg
   };
 

@@ -13,44 +13,34 @@ namespace StickSlip
 {
   /**
    * The operators of a V-cycle: those of the coarse levels as Galerkin
-   * products, formed anew where truncation and friction change them, and all
-   * in the form of the smoother, the finest one as a copy. See VCycle, whose
-   * functions of the same names these serve.
+   * products, formed anew where truncation and the nonsmooth term change them,
+   * and all in the form of the smoother, the finest one as a copy. See VCycle,
+   * whose functions of the same names these serve.
    */
   template <int n_components, typename Number>
   class CycleOperators
   {
   public:
-    /** @p descriptions, the coarsest level first, must outlive the object. */
-    explicit CycleOperators(
-      const std::vector<LevelDescription<n_components>> &descriptions);
-
-    /** Form the terms of the coarse levels. Collective, like all functions
-     * that compute. */
-    void
-    set_terms(const std::vector<BlockMatrix<n_components>> &finest);
-
-    /** Combine the terms on the coarse levels. */
-    void
-    combine_coarse_levels(const std::vector<double> &coefficients);
+    /** @p descriptions, the coarsest level first, must outlive the object.
+     * Collective, like all functions that compute. */
+    CycleOperators(
+      const std::vector<LevelDescription<n_components>> &descriptions,
+      const std::vector<BlockMatrix<n_components>>      &terms);
 
     void
-    set_finest_row(const BlockMatrix<n_components> &A,
-                   const unsigned int               i,
-                   const Tensor<2, n_components>   &inverse_diagonal);
+    set_operator(const OperatorSum<n_components> &A);
 
     void
     set_finest_diagonal(const unsigned int             i,
                         const Tensor<2, n_components> &block,
                         const NodeMask                &active);
 
-    /** Form what depends on the @p changed rows of S A S. */
     void
     set_coarse_levels(const BlockMatrix<n_components> &A,
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed);
 
-    /** Of every level but the coarsest. */
+    /** The smoother of any level but the coarsest. */
     const BlockGaussSeidel<n_components, Number> &
     smoother(const unsigned int l) const;
 
@@ -71,7 +61,7 @@ namespace StickSlip
     {
       BlockGaussSeidel<n_components, Number> smoother;
 
-      /** The rest is of coarse levels only. */
+      /** Terms, and all that follows, of coarse levels only. */
       std::vector<BlockMatrix<n_components, Number>> terms;
       BlockMatrix<n_components, Number>              matrix;
       /** On several processes: the owned rows that a change of the
@@ -80,6 +70,7 @@ namespace StickSlip
       NodeMask                  active;
     };
 
+    /** The terms on the level below @p l. */
     template <typename FineNumber>
     void
     compute_coarser_terms(
@@ -110,7 +101,7 @@ namespace StickSlip
                      const std::vector<unsigned int>             &changed);
 
     const std::vector<LevelDescription<n_components>> &descriptions;
-    /** Whether there are several processes. */
+    /** True on several processes. */
     const bool         is_shared;
     std::vector<Level> levels;
   };

@@ -5,6 +5,7 @@
 #define stickslip_multigrid_level_description_h
 
 #include <stickslip/algebra/galerkin_product.h>
+#include <stickslip/algebra/operator_sum.h>
 
 #include <memory>
 #include <vector>
@@ -12,38 +13,27 @@
 namespace StickSlip
 {
   /**
-   * What the solver is told of one level.
+   * A level of a multigrid method and the way to the next coarser one. On a
+   * coarse level a component of a nonsmooth node is truncated if it is at all
+   * fine nonsmooth nodes around.
    */
   template <int n_components>
-  struct LevelDescription
+  struct LevelDescription : Unknowns
   {
-    NodePartition nodes;
-
-    /** Leads to the next coarser level, whose nodes are its coarse nodes; empty
-     * on the coarsest level. */
+    /** The transfer to the next coarser level, whose nodes are its coarse
+     * nodes; empty on the coarsest level. */
     std::shared_ptr<GalerkinProduct<n_components>> to_coarser;
-
-    /** The components that never take part, of owned nodes and ghosts. */
-    NodeMask fixed;
-
-    /**
-     * The owned nodes with a nonsmooth term, in ascending order; on the coarser
-     * levels the nodes that stand for such nodes. A component of such a
-     * coarse node is truncated if it is at all its fine neighbours of the
-     * same kind.
-     */
-    std::vector<unsigned int> nonsmooth_nodes;
   };
 
   /*
-   * What the second derivatives at the nonsmooth nodes, and the truncation of
-   * their components, mean for a level and for the next coarser one. All
-   * functions are collective.
+   * Second derivatives at the nonsmooth nodes, and the truncation of their
+   * components, on a level and on the next coarser one. All functions are
+   * collective.
    */
 
   /**
-   * The rows of a level that they can touch, by local index of the node, for
-   * ghosts as their owners have it: those of the nonsmooth nodes and of nodes
+   * The rows of a level that these can touch, by local index of the node, for
+   * ghosts as their owners have it: rows of the nonsmooth nodes and of nodes
    * coupled to them. @p sparsity is that of the level's matrix.
    */
   template <int n_components>
@@ -52,8 +42,8 @@ namespace StickSlip
              const BlockSparsity                  &sparsity);
 
   /**
-   * The same where there is a @p finer level: also the rows that see a row of
-   * @p finer_strip.
+   * These rows where there is a @p finer level: also the rows that see a row
+   * of @p finer_strip.
    */
   template <int n_components>
   std::vector<bool>

@@ -4,7 +4,7 @@
 #ifndef stickslip_multigrid_linearised_cg_h
 #define stickslip_multigrid_linearised_cg_h
 
-#include <stickslip/multigrid/level_hierarchy.h>
+#include <stickslip/algebra/operator_sum.h>
 
 #include <functional>
 
@@ -23,7 +23,7 @@ namespace StickSlip
     using Preconditioner =
       std::function<void(NodalVector &x, const NodalVector &b)>;
 
-    explicit LinearisedCG(const LevelHierarchy<n_components> &hierarchy);
+    explicit LinearisedCG(const OperatorSum<n_components> &operators);
 
     /** See LinearCorrection. */
     void
@@ -45,7 +45,7 @@ namespace StickSlip
           NodalVector          &r);
 
   private:
-    const LevelHierarchy<n_components>  &hierarchy;
+    const OperatorSum<n_components>     &A;
     std::vector<Tensor<2, n_components>> hessians;
     NodeMask                             active;
     NodalVector                          direction, A_direction, preconditioned;

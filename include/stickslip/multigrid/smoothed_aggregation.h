@@ -33,7 +33,7 @@ namespace StickSlip
 
     ~SmoothedAggregation();
 
-    /** Whether there are cycles. */
+    /** Return whether there are cycles. */
     bool
     is_set() const;
 

@@ -13,7 +13,7 @@
 namespace StickSlip
 {
   /**
-   * How many digits the matrices and vectors of a cycle have.
+   * The digits of matrices and vectors in a cycle.
    */
   enum class CyclePrecision
   {
@@ -33,22 +33,10 @@ namespace StickSlip
   public:
     virtual ~VCycle() = default;
 
-    /** Form the Galerkin products of the terms of the operator; where the
-     * levels have changed since the last time and their products are updates,
-     * their updated rows only. Collective, like all functions that compute. */
+    /** Set the operator, without a nonsmooth term and truncation: combine the
+     * terms on the coarse levels, copy the finest one. */
     virtual void
-    set_terms(const std::vector<BlockMatrix<n_components>> &finest) = 0;
-
-    /** Combine the terms on the coarse levels. */
-    virtual void
-    combine_coarse_levels(const std::vector<double> &coefficients) = 0;
-
-    /** Take over a row of the operator A on the finest level, with the inverse
-     * of its diagonal block, zero in fixed components. */
-    virtual void
-    set_finest_row(const BlockMatrix<n_components> &A,
-                   const unsigned int               i,
-                   const Tensor<2, n_components>   &inverse_diagonal) = 0;
+    set_operator(const OperatorSum<n_components> &A) = 0;
 
     /** Set a diagonal block on the finest level, and which of its components
      * take part. */
@@ -60,8 +48,8 @@ namespace StickSlip
     /** Form the operators near the nonsmooth nodes on all coarse levels from
      * that on the finest one, S A S, where S keeps the components that take
      * part. Only what depends on the @p changed rows of S A S is formed anew;
-     * after combine_coarse_levels() those that the nonsmooth term and the
-     * truncation change. Throws SingularCoarseMatrix. */
+     * after set_operator() these are the rows that the nonsmooth term and
+     * the truncation change. Throws SingularCoarseMatrix. */
     virtual void
     set_coarse_levels(const BlockMatrix<n_components> &A,
                       const NodeMask                  &active,
@@ -88,11 +76,14 @@ namespace StickSlip
     memory_consumption() const = 0;
   };
 
-  /** The coarsest level first; @p levels must outlive the cycle. */
+  /** The coarsest level first; @p levels must outlive the cycle, @p terms of
+   * the operator on the finest one need not. Forms the Galerkin products of
+   * these. Collective, like all functions that compute. */
   template <int n_components>
   std::unique_ptr<VCycle<n_components>>
   make_v_cycle(const CyclePrecision                               precision,
-               const std::vector<LevelDescription<n_components>> &levels);
+               const std::vector<LevelDescription<n_components>> &levels,
+               const std::vector<BlockMatrix<n_components>>      &terms);
 } // namespace StickSlip
 
 #endif

@@ -25,22 +25,6 @@ namespace StickSlip
                    const NodeMask                             &dirichlet,
                    const JumpBasis<dim>                       &basis,
                    const std::vector<types::global_dof_index> &prescribed_slip);
-
-  /** The slave nodes of all faults, global numbers in ascending order. */
-  template <int dim>
-  std::vector<unsigned int>
-  slave_nodes_of_all_faults(const JumpBasis<dim> &basis);
-
-  /**
-   * The nodes whose rows in the transfer from level l - 1 to @p l can depend on
-   * the contact mapping, in ascending order; @p bases: those of all levels. On
-   * one process, where local and global numbers are the same.
-   */
-  template <int dim>
-  std::vector<unsigned int>
-  rows_near_faults(const MeshHierarchy<dim>          &meshes,
-                   const unsigned int                 l,
-                   const std::vector<JumpBasis<dim>> &bases);
 } // namespace StickSlip
 
 #endif

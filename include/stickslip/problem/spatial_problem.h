@@ -79,6 +79,14 @@ namespace StickSlip
     const MeshHierarchy<dim> &
     meshes() const;
 
+    /** The operator on the finest level, and its terms. */
+    OperatorSum<dim> &
+    operators();
+
+    const OperatorSum<dim> &
+    operators() const;
+
+    /** The preconditioner. */
     LevelHierarchy<dim> &
     hierarchy();
 
@@ -134,11 +142,6 @@ namespace StickSlip
     void
     build(const std::vector<JumpBasis<dim>> &bases);
 
-    /** The same where all is there from other bases: what is away from the
-     * faults stays. On one process only. */
-    void
-    update(const std::vector<JumpBasis<dim>> &bases);
-
     /** Masks and nonsmooth nodes of all levels. */
     void
     describe(std::vector<LevelDescription<dim>> &descriptions,
@@ -147,7 +150,7 @@ namespace StickSlip
     const MeshHierarchy<dim> &mesh_hierarchy;
     BoundaryValues<dim>      &boundary;
     std::vector<FaultSides>   sides;
-    /** Those that are there, and where each of them is. */
+    /** The terms of the equation in the nodal basis, and which each is. */
     std::vector<BlockMatrix<dim>> nodal_terms;
     std::vector<Term>             terms;
     /** Empty without gravity. */
@@ -158,10 +161,9 @@ namespace StickSlip
     std::unique_ptr<JumpBasis<dim>>       finest_basis;
     std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
     TransferMatrix                        B_inverse;
+    std::unique_ptr<OperatorSum<dim>>     operator_sum;
     std::unique_ptr<LevelHierarchy<dim>>  levels;
-    /** rows_near_faults() of all levels, once update() has been used. */
-    std::vector<std::vector<unsigned int>> near_faults;
-    unsigned int                           builds = 0;
+    unsigned int                          builds = 0;
   };
 } // namespace StickSlip
 

@@ -19,7 +19,7 @@ namespace StickSlip
   {
   public:
     DirectCorrection(
-      LevelHierarchy<n_components>                      &hierarchy,
+      OperatorSum<n_components>                         &operators,
       std::unique_ptr<SparseFactorisation<n_components>> factorisation);
 
     void
@@ -30,10 +30,10 @@ namespace StickSlip
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
 
   private:
-    LevelHierarchy<n_components>                      &hierarchy;
+    OperatorSum<n_components>                         &operators;
     std::unique_ptr<SparseFactorisation<n_components>> factorisation;
 
-    /** What the factors belong to, if there are any. */
+    /** The linearisation that the factors belong to, if there are any. */
     bool                                 is_factorised = false;
     unsigned long                        version       = 0;
     std::vector<Tensor<2, n_components>> hessians;

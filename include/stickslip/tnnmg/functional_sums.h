@@ -12,8 +12,9 @@
 namespace StickSlip
 {
   /*
-   * What solvers need of a nonsmooth functional as a whole. The functions with
-   * a vector of unknowns are collective unless they say otherwise.
+   * Sums over the terms of a nonsmooth functional phi, whose @p nodes are given
+   * by their numbers in the vectors. The functions are collective unless they
+   * say otherwise.
    */
 
   /** The components of one node, given by its local index. Not collective. */
@@ -30,7 +31,9 @@ namespace StickSlip
   /** Move @p w to the next point of the domain of phi. Not collective. */
   template <int n_components>
   void
-  project(const NonsmoothFunctional<n_components> &functional, NodalVector &w);
+  project(const NonsmoothFunctional<n_components> &functional,
+          const std::vector<unsigned int>         &nodes,
+          NodalVector                             &w);
 
   /** Shorten @p d so that w + d is that point of the domain of phi which is
    * next to the original w + d. Returns whether there was anything to shorten,
@@ -38,6 +41,7 @@ namespace StickSlip
   template <int n_components>
   bool
   project_step(const NonsmoothFunctional<n_components> &functional,
+               const std::vector<unsigned int>         &nodes,
                const NodalVector                       &w,
                NodalVector                             &d);
 
@@ -46,6 +50,7 @@ namespace StickSlip
   template <int n_components>
   double
   increase(const NonsmoothFunctional<n_components> &functional,
+           const std::vector<unsigned int>         &nodes,
            const NodalVector                       &w,
            const NodalVector                       &v);
 
@@ -54,6 +59,7 @@ namespace StickSlip
   template <int n_components>
   double
   slope_of(const NonsmoothFunctional<n_components> &functional,
+           const std::vector<unsigned int>         &nodes,
            const NodalVector                       &w,
            const NodalVector                       &d,
            const double                             t);
@@ -62,6 +68,7 @@ namespace StickSlip
   template <int n_components>
   void
   subtract_gradient(const NonsmoothFunctional<n_components> &functional,
+                    const std::vector<unsigned int>         &nodes,
                     const NodalVector                       &w,
                     NodalVector                             &r);
 
@@ -81,6 +88,7 @@ namespace StickSlip
   template <int n_components>
   unsigned int
   linearise(const NonsmoothFunctional<n_components>    &functional,
+            const std::vector<unsigned int>            &nodes,
             const TNNMGParameters                      &parameters,
             const std::vector<Tensor<2, n_components>> &diagonal_blocks,
             const NodalVector                          &w,

@@ -10,7 +10,7 @@
 namespace StickSlip
 {
   /**
-   * What one iteration of the solver did.
+   * The work and the success of one iteration.
    */
   struct IterationSummary
   {

@@ -14,7 +14,7 @@ namespace StickSlip
    *
    *   S (A + H) S x = S r,
    *
-   * with the operator A of a hierarchy of levels, the second derivative H of a
+   * with the operator A of an OperatorSum, the second derivative H of a
    * nonsmooth functional, block diagonal at the nonsmooth nodes, and S, which
    * sets the components that do not take part to zero.
    *
@@ -54,23 +54,16 @@ namespace StickSlip
   };
 
   /**
-   * As the parameters ask for it; they and the hierarchy must live longer than
-   * the result. @p near_null_space: see TNNMGSolver. Throws where this
-   * correction does not run on as many processes.
+   * The correction that the parameters ask for; they and the hierarchy must
+   * live longer than the result. Throws where this correction does not run on
+   * as many processes.
    */
   template <int n_components>
   std::unique_ptr<LinearCorrection<n_components>>
-  make_linear_correction(LevelHierarchy<n_components>   &hierarchy,
-                         const TNNMGParameters          &parameters,
-                         const std::vector<NodalVector> &near_null_space = {});
+  make_linear_correction(LevelHierarchy<n_components> &hierarchy,
+                         const TNNMGParameters        &parameters);
 
-  /** The matrix A + H of the finest level. */
-  template <int n_components>
-  BlockMatrix<n_components>
-  linearised_matrix(const LevelHierarchy<n_components>         &hierarchy,
-                    const std::vector<Tensor<2, n_components>> &hessians);
-
-  /** Whether a correction runs on one process only. */
+  /** Return whether a correction runs on one process only. */
   bool
   is_serial(const LinearCorrectionType type);
 } // namespace StickSlip

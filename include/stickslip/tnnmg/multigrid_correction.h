@@ -10,7 +10,7 @@
 namespace StickSlip
 {
   /**
-   * Some steps of conjugate gradients from zero, each preconditioned by one
+   * A few steps of conjugate gradients from zero, each preconditioned by one
    * symmetric V-cycle of the hierarchy; one step only in the first corrections
    * of a problem.
    */

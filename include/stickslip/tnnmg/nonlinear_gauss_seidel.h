@@ -4,7 +4,7 @@
 #ifndef stickslip_tnnmg_nonlinear_gauss_seidel_h
 #define stickslip_tnnmg_nonlinear_gauss_seidel_h
 
-#include <stickslip/multigrid/level_hierarchy.h>
+#include <stickslip/algebra/operator_sum.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 
 namespace StickSlip
@@ -23,7 +23,7 @@ namespace StickSlip
    */
   template <int n_components>
   void
-  nonlinear_gauss_seidel(const LevelHierarchy<n_components>      &hierarchy,
+  nonlinear_gauss_seidel(const OperatorSum<n_components>         &operators,
                          const NonsmoothFunctional<n_components> &functional,
                          const NodalVector                       &b,
                          NodalVector                             &w);

@@ -4,7 +4,7 @@
 #ifndef stickslip_tnnmg_nonsmooth_solver_h
 #define stickslip_tnnmg_nonsmooth_solver_h
 
-#include <stickslip/algebra/node_partition.h>
+#include <stickslip/algebra/operator_sum.h>
 #include <stickslip/tnnmg/iteration_summary.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 #include <stickslip/tnnmg/solver_parameters.h>
@@ -18,17 +18,26 @@ namespace StickSlip
    *
    * over the components of w that are not fixed, with A symmetric positive
    * definite there and phi a convex functional that is a sum over nodes. J
-   * decreases in every iteration.
+   * decreases in every iteration, which is
    *
-   * An iteration may leave components alone on which phi does not act, so that
-   * w is the minimiser only after finish().
+   *   1. a sweep of nonlinear Gauss-Seidel,
+   *   2. truncation of the components at which phi is not smooth enough,
+   *   3. a correction for the linearisation on the rest, projected onto the
+   *      domain of phi,
+   *   4. a line search.
+   *
+   * Derived classes know A, or what is left of it where only some of the
+   * unknowns take part in the iterations: w is the minimiser only after
+   * finish().
    */
   template <int n_components>
   class NonsmoothSolver
   {
   public:
-    /** @p parameters must live longer than this object. */
-    explicit NonsmoothSolver(const TNNMGParameters &parameters);
+    /** @p unknowns: those that the iterations change. @p parameters must live
+     * longer than this object. */
+    NonsmoothSolver(const Unknowns        &unknowns,
+                    const TNNMGParameters &parameters);
 
     virtual ~NonsmoothSolver() = default;
 
@@ -59,15 +68,68 @@ namespace StickSlip
     virtual void
     finish(const NodalVector &b, NodalVector &w) = 0;
 
-    /** Whether the error after the @p last iteration is below the tolerance,
-     * by IterationSummary::relative_error() and what is known of the iteration
+    /** Return whether the error after the @p last iteration is below the
+     * tolerance, by IterationSummary::relative_error() and what is known of the
+     * iteration
      * @p before it, if anything. */
     bool
     has_converged(const IterationSummary &last,
                   const IterationSummary *before = nullptr) const;
 
   protected:
+    /** The four steps, with vectors of the unknowns that iterations change,
+     * from
+     * @p w with its @p residual on. */
+    IterationSummary
+    carry_out_steps(const NonsmoothFunctional<n_components> &functional,
+                    const NodalVector                       &b,
+                    NodalVector                             &w);
+
+    /** Step 1: a sweep, after which @p r = b - A w. */
+    virtual void
+    sweep(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &b,
+          NodalVector                             &w,
+          NodalVector                             &r) = 0;
+
+    /** y = A x. */
+    virtual void
+    vmult(NodalVector &y, const NodalVector &x) const = 0;
+
+    /** The diagonal block of A at the k-th nonsmooth node. */
+    virtual Tensor<2, n_components>
+    diagonal_block(const unsigned int k) const = 0;
+
+    /** Step 3, see LinearCorrection: @p x from the right hand side @p r, and
+     * its product with A. Returns the cycles spent. */
+    virtual unsigned int
+    correct(const std::vector<Tensor<2, n_components>> &hessians,
+            const NodeMask                             &active,
+            NodalVector                                &x,
+            NodalVector                                &A_x,
+            NodalVector                                &r) = 0;
+
+    const Unknowns         unknowns;
     const TNNMGParameters &parameters;
+
+    /** b - A w of the current iterate. */
+    NodalVector residual;
+
+    /** The square of the energy norm of the unknowns that iterations leave
+     * alone. */
+    double square_of_rest = 0;
+
+  private:
+    /** Step 1, from the iterate in previous; J does not increase. */
+    void
+    smooth(const NonsmoothFunctional<n_components> &functional,
+           const NodalVector                       &b,
+           NodalVector                             &w,
+           IterationSummary                        &summary);
+
+    NodeMask                             active;
+    std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
+    NodalVector previous, new_residual, correction, A_correction, scratch;
   };
 } // namespace StickSlip
 

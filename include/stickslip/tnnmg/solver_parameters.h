@@ -9,19 +9,15 @@
 namespace StickSlip
 {
   /**
-   * How the linearised problem of an iteration is solved.
+   * The ways to solve the linearised problem of an iteration.
    */
   enum class LinearCorrectionType
   {
-    /** By some steps of CG, each with one V-cycle. */
+    /** A few steps of CG, each with one V-cycle. */
     multigrid,
-    /** Exactly, by sparse factorisation with UMFPACK or MUMPS. */
+    /** Sparse factorisation with UMFPACK or MUMPS. */
     umfpack,
-    mumps,
-    /** By CG with cycles of smoothed aggregation. */
-    amg,
-    /** Not at all; what remains is nonlinear Gauss-Seidel. */
-    none
+    mumps
   };
 
   /**
@@ -44,7 +40,7 @@ namespace StickSlip
      */
     double truncation_factor = 10.;
 
-    /** How the linearised problem is solved. */
+    /** The solver of the linearised problem. */
     LinearCorrectionType linear_correction = LinearCorrectionType::multigrid;
 
     /** Steps of CG, each with one V-cycle, in a linear correction. */
@@ -52,10 +48,6 @@ namespace StickSlip
 
     /** The first corrections of a problem take one V-cycle each. */
     unsigned int single_cycle_corrections = 3;
-
-    /** Residual relative to the initial one, in the norm of the preconditioner,
-     * at which CG with algebraic multigrid ends. */
-    double amg_tolerance = 1e-2;
 
     /** Gauss-Seidel sweeps before and after each coarse grid correction. */
     unsigned int smoothing_sweeps = 1;
@@ -69,14 +61,14 @@ namespace StickSlip
     /** The precision of the cycles. */
     CyclePrecision cycle_precision = CyclePrecision::single_precision;
 
-    /** How the coarsest level is solved. */
+    /** The solver of the coarsest level. */
     CoarseSolverType coarse_solver = CoarseSolverType::direct;
 
     /** Print a line for every iteration. */
     bool print_iterations = false;
 
     /**
-     * Whether an iteration begins with the nonlinear smoother. Without it the
+     * True if an iteration begins with the nonlinear smoother. Without it the
      * iteration is the semismooth Newton method with line search, for
      * comparisons. Truncated components would then never move, so that only
      * those are truncated at which the nonsmooth term has no second derivative

@@ -10,14 +10,8 @@
 namespace StickSlip
 {
   /**
-   * Truncated nonsmooth Newton multigrid (Graeser and Sander 2019). One
-   * iteration is
-   *
-   *   1. a sweep of nonlinear Gauss-Seidel,
-   *   2. truncation of the components at which phi is not smooth enough,
-   *   3. a correction for the linearisation on the rest, see LinearCorrection,
-   *      projected onto the domain of phi,
-   *   4. a line search.
+   * Truncated nonsmooth Newton multigrid (Graeser and Sander 2019): the steps
+   * of NonsmoothSolver on all unknowns, with a LinearCorrection.
    *
    * J decreases in every iteration, which makes the method converge from any
    * initial iterate. On several processes, whose sweeps do not see each other,
@@ -27,14 +21,16 @@ namespace StickSlip
   class TNNMGSolver : public NonsmoothSolver<n_components>
   {
   public:
-    /**
-     * The hierarchy holds A, the fixed components and the transfers.
-     * @p near_null_space is of use to the linear correction AMG only: vectors
-     * like the unknowns, on which A is small, as the rigid motions.
-     */
-    TNNMGSolver(LevelHierarchy<n_components>   &hierarchy,
-                const TNNMGParameters          &parameters,
-                const std::vector<NodalVector> &near_null_space = {});
+    /** For the operator of a hierarchy, with the correction that the parameters
+     * ask for. The hierarchy must live longer than this object. */
+    TNNMGSolver(LevelHierarchy<n_components> &hierarchy,
+                const TNNMGParameters        &parameters);
+
+    /** For an operator, which must live longer than this object, with a
+     * correction of one's own. */
+    TNNMGSolver(const OperatorSum<n_components>                &operators,
+                const TNNMGParameters                          &parameters,
+                std::unique_ptr<LinearCorrection<n_components>> correction);
 
     void
     start(const NodalVector &b, const NodalVector &w) override;
@@ -49,29 +45,27 @@ namespace StickSlip
     finish(const NodalVector &b, NodalVector &w) override;
 
   private:
-    /** Step 1, from the iterate in previous; J does not increase. */
     void
-    smooth(const NonsmoothFunctional<n_components> &functional,
-           const NodalVector                       &b,
-           NodalVector                             &w,
-           IterationSummary                        &summary);
+    sweep(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &b,
+          NodalVector                             &w,
+          NodalVector                             &r) override;
 
-    /** Step 2 at @p w, where @p force is the negative gradient of J; returns
-     * the number of truncated components. */
+    void
+    vmult(NodalVector &y, const NodalVector &x) const override;
+
+    Tensor<2, n_components>
+    diagonal_block(const unsigned int k) const override;
+
     unsigned int
-    linearise(const NonsmoothFunctional<n_components> &functional,
-              const NodalVector                       &w,
-              const NodalVector                       &force);
+    correct(const std::vector<Tensor<2, n_components>> &hessians,
+            const NodeMask                             &active,
+            NodalVector                                &x,
+            NodalVector                                &A_x,
+            NodalVector                                &r) override;
 
-    LevelHierarchy<n_components>                   &hierarchy;
+    const OperatorSum<n_components>                &operators;
     std::unique_ptr<LinearCorrection<n_components>> linear_correction;
-
-    /** b - A w of the current iterate. */
-    NodalVector residual;
-
-    NodeMask    active;
-    NodalVector previous, smoothed_residual, correction, A_correction, scratch;
-    std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
   };
 } // namespace StickSlip
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/problem/rigid_body_modes.h>
+#include "rigid_body_modes.h"
 
-namespace StickSlip
+namespace Measure
 {
   namespace
   {
@@ -68,4 +68,4 @@ namespace StickSlip
   rigid_body_modes<2>(const SpatialProblem<2> &);
   template std::vector<NodalVector>
   rigid_body_modes<3>(const SpatialProblem<3> &);
-} // namespace StickSlip
+} // namespace Measure

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#ifndef stickslip_tnnmg_amg_correction_h
-#define stickslip_tnnmg_amg_correction_h
+#ifndef stickslip_contrib_amg_correction_h
+#define stickslip_contrib_amg_correction_h
 
 #include <stickslip/multigrid/linearised_cg.h>
 #include <stickslip/multigrid/smoothed_aggregation.h>
 #include <stickslip/tnnmg/linear_correction.h>
 
-namespace StickSlip
+namespace Measure
 {
+  using namespace StickSlip;
+
   /**
    * Conjugate gradients to a given reduction of the residual, preconditioned
    * by cycles of smoothed aggregation with ML of Trilinos. The aggregates are
    * made anew where the components that take part have changed, or H by more
    * than the coarse levels of multigrid tolerate. On one process.
    */
-  template <int n_components>
-  class AMGCorrection : public LinearCorrection<n_components>
+  template <int dim>
+  class AMGCorrection : public LinearCorrection<dim>
   {
   public:
     /** Without a @p near_null_space it consists of the translations. */
-    AMGCorrection(LevelHierarchy<n_components>   &hierarchy,
+    AMGCorrection(OperatorSum<dim>               &operators,
                   const TNNMGParameters          &parameters,
                   const std::vector<NodalVector> &near_null_space);
 
     void
-    linearise(const std::vector<Tensor<2, n_components>> &hessians,
-              const NodeMask                             &active) override;
+    linearise(const std::vector<Tensor<2, dim>> &hessians,
+              const NodeMask                    &active) override;
 
     /** Ends after 200 steps at the latest; what it has by then still is a
      * direction of descent. */
@@ -37,19 +39,19 @@ namespace StickSlip
   private:
     /** Whether the present cycles serve a linearisation. */
     bool
-    is_close(const std::vector<Tensor<2, n_components>> &new_hessians,
-             const NodeMask                             &new_active) const;
+    is_close(const std::vector<Tensor<2, dim>> &new_hessians,
+             const NodeMask                    &new_active) const;
 
-    LevelHierarchy<n_components>     &hierarchy;
-    const TNNMGParameters            &parameters;
-    SmoothedAggregation<n_components> cycles;
+    OperatorSum<dim>        &operators;
+    const TNNMGParameters   &parameters;
+    SmoothedAggregation<dim> cycles;
 
-    /** What the cycles are made for. */
-    unsigned long                        version = 0;
-    NodeMask                             active;
-    std::vector<Tensor<2, n_components>> hessians;
-    LinearisedCG<n_components>           cg;
+    /** The linearisation that the cycles are made for. */
+    unsigned long               version = 0;
+    NodeMask                    active;
+    std::vector<Tensor<2, dim>> hessians;
+    LinearisedCG<dim>           cg;
   };
-} // namespace StickSlip
+} // namespace Measure
 
 #endif

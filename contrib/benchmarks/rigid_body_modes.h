@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#ifndef stickslip_problem_rigid_body_modes_h
-#define stickslip_problem_rigid_body_modes_h
+#ifndef stickslip_contrib_rigid_body_modes_h
+#define stickslip_contrib_rigid_body_modes_h
 
 #include <stickslip/problem/spatial_problem.h>
 
-namespace StickSlip
+namespace Measure
 {
+  using namespace StickSlip;
+
   /**
    * The rigid motions of all bodies together in the jump basis, for algebraic
    * multigrid: dim translations, then one (d = 2) or three (d = 3) rotations,
@@ -18,6 +20,6 @@ namespace StickSlip
   template <int dim>
   std::vector<NodalVector>
   rigid_body_modes(const SpatialProblem<dim> &problem);
-} // namespace StickSlip
+} // namespace Measure
 
 #endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/algebra/masked_entries.h>
+#include <stickslip/algebra/operator_sum.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  template <int n_components>
+  OperatorSum<n_components>::OperatorSum(
+    const Unknowns                        &unknowns,
+    std::vector<BlockMatrix<n_components>> terms)
+    : unknowns_of_problem(unknowns)
+    , summands(std::move(terms))
+    , A(summands.at(0).shared_sparsity())
+  {
+    inverses.resize(std::size_t(A.n_rows()) * n_components * n_components);
+  }
+
+
+
+  template <int n_components>
+  void
+  OperatorSum<n_components>::combine(const std::vector<double> &coefficients)
+  {
+    AssertThrow(coefficients.size() == summands.size(),
+                ExcDimensionMismatch(coefficients.size(), summands.size()));
+    if (coefficients == current_coefficients)
+      return;
+    current_coefficients = coefficients;
+    versions.emplace(coefficients, versions.size() + 1);
+    // Few rows at a time, so that their diagonals are read from the cache.
+    constexpr unsigned int n_rows = 512;
+    for (unsigned int begin = 0; begin < A.n_rows(); begin += n_rows)
+      {
+        const unsigned int end = std::min(begin + n_rows, A.n_rows());
+        A.combine(coefficients, summands, begin, end);
+        for (unsigned int i = begin; i < end; ++i)
+          {
+            const Tensor<2, n_components> inverse =
+              invert_active(A.diagonal_block(i), unknowns().fixed, i);
+            double *target =
+              &inverses[std::size_t(i) * n_components * n_components];
+            for (unsigned int c = 0; c < n_components; ++c)
+              for (unsigned int d = 0; d < n_components; ++d)
+                target[c * n_components + d] = inverse[c][d];
+          }
+      }
+  }
+
+
+
+  template <int n_components>
+  Tensor<2, n_components>
+  OperatorSum<n_components>::inverse_diagonal(const unsigned int row) const
+  {
+    const double *values =
+      &inverses[std::size_t(row) * n_components * n_components];
+    Tensor<2, n_components> result;
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
+        result[c][d] = values[c * n_components + d];
+    return result;
+  }
+
+
+
+  template <int n_components>
+  unsigned long
+  OperatorSum<n_components>::version() const
+  {
+    const auto version = versions.find(current_coefficients);
+    return version == versions.end() ? 0 : version->second;
+  }
+
+
+
+  template <int n_components>
+  void
+  OperatorSum<n_components>::with_hessians(
+    const std::vector<Tensor<2, n_components>>                   &hessians,
+    const std::function<void(const BlockMatrix<n_components> &)> &action)
+  {
+    const std::vector<unsigned int> &nodes = unknowns().nonsmooth_nodes;
+    AssertDimension(hessians.size(), nodes.size());
+    std::vector<Tensor<2, n_components>> diagonal(nodes.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        diagonal[k] = A.diagonal_block(nodes[k]);
+        A.set_diagonal_block(nodes[k], diagonal[k] + hessians[k]);
+      }
+    const auto remove_hessians = [&]() {
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        A.set_diagonal_block(nodes[k], diagonal[k]);
+    };
+    try
+      {
+        action(A);
+      }
+    catch (...)
+      {
+        remove_hessians();
+        throw;
+      }
+    remove_hessians();
+  }
+
+
+
+  template <int n_components>
+  void
+  OperatorSum<n_components>::add_hessians(
+    NodalVector                                &y,
+    const double                                factor,
+    const std::vector<Tensor<2, n_components>> &hessians,
+    const NodalVector                          &x) const
+  {
+    const std::vector<unsigned int> &nodes = unknowns().nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          y.local_element(nodes[k] * n_components + c) +=
+            factor * hessians[k][c][d] *
+            x.local_element(nodes[k] * n_components + d);
+  }
+
+
+
+  template <int n_components>
+  std::size_t
+  OperatorSum<n_components>::memory_consumption() const
+  {
+    return A.memory_consumption() * (1 + summands.size()) +
+           A.sparsity().memory_consumption() + sizeof(double) * inverses.size();
+  }
+
+
+
+  template class OperatorSum<1>;
+  template class OperatorSum<2>;
+  template class OperatorSum<3>;
+} // namespace StickSlip
