@@ -119,7 +119,8 @@ namespace
 
     // The friction of each node from the formula.
     const RateAndStateParameters law =
-      scene.faults[0].rate_and_state.constants();
+      dynamic_cast<const RateAndStateLaw &>(*faults.law(0).friction)
+        .get_parameters();
     std::vector<Reference::FrictionCurve> curves;
     std::vector<double>                   start, weights, stresses, alpha;
     for (unsigned int k = 0; k < faults.size(); ++k)

@@ -116,8 +116,7 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
   EXPECT_EQ(nodes.size(), 17u);
 
   const SteppingScene       varying(creeping_bodies, varying_friction);
-  const std::vector<double> a =
-    varying.scene.faults[0].rate_and_state.a.values(nodes, "");
+  const std::vector<double> a = varying.scene.faults[0]["a"].values(nodes, "");
   EXPECT_EQ(varying.faults.laws().laws.size(), nodes.size());
   for (unsigned int k = 0; k < nodes.size(); ++k)
     EXPECT_EQ(friction_parameters(varying.faults.law(k)).a, a[k]);

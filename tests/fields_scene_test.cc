@@ -31,9 +31,7 @@ namespace
   double
   value_of_a(const SceneParameters<2> &scene, const double x)
   {
-    return scene.faults[0]
-      .rate_and_state.a.values<2>({Point<2>(x, 0)}, "")
-      .front();
+    return scene.faults[0]["a"].values<2>({Point<2>(x, 0)}, "").front();
   }
 
 
@@ -74,7 +72,7 @@ TEST(FieldsOfAScene, TablesAreFoundNextToTheFileThatNamesThem)
   const SceneParameters<2> overridden =
     read(folder.file("scene.prm"), {"Faults/main/b=table a.txt"});
   std::filesystem::current_path(before);
-  EXPECT_EQ(overridden.faults[0].rate_and_state.b.text(),
+  EXPECT_EQ(overridden.faults[0]["b"].text(),
             "table " + folder.file("inner/a.txt"));
 }
 
@@ -90,16 +88,18 @@ TEST(FieldsOfAScene, AllFrictionParametersMayVary)
           "Faults/main/Reference friction coefficient=0.5 + 0.01*x",
           "Faults/main/Reference slip rate=1e-6*exp(x)",
           "Faults/main/Characteristic slip=1e-5*(3 + x)"});
-  const std::vector<RateAndStateParameters> values =
-    scene.faults[0].rate_and_state.values<2>({Point<2>(0.5, 0), Point<2>(2, 0)},
-                                             "Faults/main");
-  EXPECT_DOUBLE_EQ(values[0].a, 0.01025);
-  EXPECT_DOUBLE_EQ(values[1].a, 0.014);
-  EXPECT_EQ(values[0].b, 0.02);
-  EXPECT_EQ(values[1].b, 0.);
-  EXPECT_DOUBLE_EQ(values[1].reference_friction, 0.52);
-  EXPECT_DOUBLE_EQ(values[0].reference_slip_rate, 1e-6 * std::exp(0.5));
-  EXPECT_DOUBLE_EQ(values[1].characteristic_slip, 5e-5);
+  // a, b, mu0, V0, L, and the positions of two words.
+  const std::vector<LawValues> values =
+    scene.faults[0].law_values<2>({Point<2>(0.5, 0), Point<2>(2, 0)},
+                                  "Faults/main");
+  ASSERT_EQ(values[0].all().size(), 7u);
+  EXPECT_DOUBLE_EQ(values[0].all()[0], 0.01025);
+  EXPECT_DOUBLE_EQ(values[1].all()[0], 0.014);
+  EXPECT_EQ(values[0].all()[1], 0.02);
+  EXPECT_EQ(values[1].all()[1], 0.);
+  EXPECT_DOUBLE_EQ(values[1].all()[2], 0.52);
+  EXPECT_DOUBLE_EQ(values[0].all()[3], 1e-6 * std::exp(0.5));
+  EXPECT_DOUBLE_EQ(values[1].all()[4], 5e-5);
 }
 
 

@@ -128,13 +128,6 @@ TEST_P(RateAndState, CoefficientAndDerivativesAgreeWithHighPrecision)
             EXPECT_LT(Reference::relative_error(law.derivative(V, log_vmin),
                                                 derivative),
                       rounding);
-
-          // d mu / d alpha by the chain rule: d mu/d ln(Vmin) is minus
-          // d mu / d ln(V), and d ln(Vmin) / d alpha = -b/a.
-          EXPECT_NEAR(law.state_derivative(V, log_vmin),
-                      static_cast<double>(parameters.b / parameters.a *
-                                          derivative * V),
-                      4. * rounding * parameters.b);
         }
     }
   RecordProperty("largest_error_of_z", std::to_string(largest * 1e15) + "e-15");
@@ -321,8 +314,6 @@ TEST_P(RateAndState, ExtremeValuesAreHarmless)
           const double phi = law.potential(V, log_vmin);
           EXPECT_TRUE(std::isfinite(phi) && phi >= 0.);
           EXPECT_GE(law.derivative(V, log_vmin), 0.);
-          EXPECT_GE(law.state_derivative(V, log_vmin), 0.);
-          EXPECT_LE(law.state_derivative(V, log_vmin), parameters.b);
         }
       EXPECT_EQ(law.coefficient(0., log_vmin), 0.);
 

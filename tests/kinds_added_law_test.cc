@@ -5,25 +5,31 @@
 // there.
 
 #include <gtest/gtest.h>
-#include <stickslip/friction/friction_law.h>
+#include <stickslip/friction/common_parameters.h>
+#include <stickslip/friction/law_registry.h>
 #include <stickslip/friction/local_problem.h>
-
-#include <cmath>
 
 namespace StickSlip
 {
   /**
    * Bingham's law: a threshold mu0, and above it a friction coefficient that
-   * grows in proportion to the slip rate, mu = mu0 + V/V0.
+   * grows in proportion to the slip rate, mu = mu0 + V/V1.
    */
   class BinghamLaw : public FrictionLaw
   {
   public:
-    /** @p threshold: mu0, without unit; @p slip_rate: V0, m/s. */
-    BinghamLaw(const double threshold, const double slip_rate)
-      : threshold(threshold)
-      , slip_rate(slip_rate)
+    explicit BinghamLaw(const LawValues &values)
+      : threshold(values[CommonParameters::reference_friction()])
+      , slip_rate(values[viscous_slip_rate()])
     {}
+
+    static LawKind
+    kind()
+    {
+      return {"Bingham",
+              "mu0 + V/V1",
+              {CommonParameters::reference_friction(), viscous_slip_rate()}};
+    }
 
     double
     coefficient(const double V, const double) const override
@@ -44,6 +50,17 @@ namespace StickSlip
     }
 
   private:
+    static LawParameter
+    viscous_slip_rate()
+    {
+      return LawParameter::field("Viscous slip rate",
+                                 "Slip rate V1 at which viscosity adds 1 to "
+                                 "the coefficient of Bingham's law",
+                                 "m/s",
+                                 NumberRange().above(0),
+                                 1e-3);
+    }
+
     const double threshold, slip_rate;
   };
 } // namespace StickSlip
@@ -54,7 +71,7 @@ using namespace StickSlip;
 
 TEST(Bingham, IsTheSlopeOfItsPotential)
 {
-  const BinghamLaw law(0.3, 1e-3);
+  const BinghamLaw law({BinghamLaw::kind().parameters, {0.3, 1e-3}});
   const double     h = 1e-9;
   for (const double V : {1e-6, 1e-3, 1.})
     {
@@ -74,7 +91,7 @@ TEST(Bingham, IsTheSlopeOfItsPotential)
 
 TEST(Bingham, StopsWhatIsBelowItsThreshold)
 {
-  const BinghamLaw law(0.3, 1e-3);
+  const BinghamLaw law({BinghamLaw::kind().parameters, {0.3, 1e-3}});
   // 1/2 c V^2 - r V + k Phi(V) has its minimum where c V + k mu(V) = r.
   const double c = 10., k = 100.;
   EXPECT_EQ(minimise_local(law, 0., c, 29.9, k), 0.);
@@ -82,4 +99,12 @@ TEST(Bingham, StopsWhatIsBelowItsThreshold)
   EXPECT_NEAR(minimise_local(law, 0., c, -50., k),
               -20. / (c + k / 1e-3),
               1e-18);
+}
+
+
+
+TEST(Bingham, CanBeRegistered)
+{
+  const LawRegistry registry({kind_of_law<BinghamLaw>()});
+  EXPECT_EQ(registry.kind("Bingham").parameters.size(), 3u);
 }

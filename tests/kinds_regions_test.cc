@@ -68,12 +68,12 @@ TEST(Regions, HaveWhatTheySayAndElseWhatTheirFaultSays)
   const FaultParameters fault = scene_with_regions().faults[0];
   ASSERT_EQ(fault.regions.size(), 2u);
   const FrictionParameters &locked = fault.regions[1].friction;
-  EXPECT_EQ(fault.kind, FrictionKind::rate_and_state);
-  EXPECT_EQ(locked.kind, FrictionKind::velocity_strengthening);
-  EXPECT_EQ(locked.rate_and_state.a.constant(), 0.03);
-  EXPECT_EQ(locked.rate_and_state.b.constant(), 0.02);
-  EXPECT_EQ(locked.regularisation, Regularisation::arcsinh);
-  EXPECT_EQ(locked.initial_state.text(), "3 + x^2");
+  EXPECT_EQ(fault.kind().name, "rate and state");
+  EXPECT_EQ(locked.kind().name, "velocity strengthening");
+  EXPECT_EQ(locked["a"].constant(), 0.03);
+  EXPECT_EQ(locked["b"].constant(), 0.02);
+  EXPECT_EQ(locked["Regularisation"].constant(), 1.); // arcsinh
+  EXPECT_EQ(locked["Initial state"].text(), "3 + x^2");
 
   // Set on the command line for the fault, or for one region only.
   const FaultParameters other =
@@ -81,10 +81,10 @@ TEST(Regions, HaveWhatTheySayAndElseWhatTheirFaultSays)
                         "Faults/main/a=0.011",
                         "Faults/main/b=0.05"})
       .faults[0];
-  EXPECT_EQ(other.regions[0].friction.rate_and_state.b.constant(), 0.05);
-  EXPECT_EQ(other.regions[1].friction.rate_and_state.b.constant(), 0.04);
-  EXPECT_EQ(other.regions[0].friction.rate_and_state.a.constant(), 0.011);
-  EXPECT_EQ(other.regions[1].friction.rate_and_state.a.constant(), 0.03);
+  EXPECT_EQ(other.regions[0].friction["b"].constant(), 0.05);
+  EXPECT_EQ(other.regions[1].friction["b"].constant(), 0.04);
+  EXPECT_EQ(other.regions[0].friction["a"].constant(), 0.011);
+  EXPECT_EQ(other.regions[1].friction["a"].constant(), 0.03);
 }
 
 
@@ -122,9 +122,9 @@ TEST(Regions, AreWrittenAsTheyAreRead)
     SceneReader(folder.write("again.prm", first.str()), {}).read<2>();
   write_parameters(again, second);
   EXPECT_EQ(first.str(), second.str());
-  EXPECT_EQ(again.faults[0].regions[0].friction.slip_rate[0].text(),
+  EXPECT_EQ(again.faults[0].regions[0].friction["Slip rate along x"].text(),
             "1e-3 * x");
-  EXPECT_EQ(again.faults[0].regions[0].friction.slip_rate_ramp_length, 2.);
+  EXPECT_EQ(again.faults[0].regions[0].friction.slip_rate_ramp_length(), 2.);
 }
 
 

@@ -59,11 +59,11 @@ TEST(SceneReader, SetsWhatTheFileSays)
 
   ASSERT_EQ(scene.faults.size(), 1u);
   EXPECT_EQ(scene.faults[0].name, "main");
-  EXPECT_EQ(scene.faults[0].rate_and_state.a.constant(), 0.01);
-  EXPECT_EQ(scene.faults[0].rate_and_state.b.constant(), 0.02);
-  EXPECT_EQ(scene.faults[0].state_law, StateLaw::slip);
-  EXPECT_EQ(scene.faults[0].regularisation, Regularisation::arcsinh);
-  EXPECT_EQ(scene.faults[0].initial_state.text(), "3 + x^2");
+  EXPECT_EQ(scene.faults[0]["a"].constant(), 0.01);
+  EXPECT_EQ(scene.faults[0]["b"].constant(), 0.02);
+  EXPECT_EQ(scene.faults[0]["State law"].constant(), 1.);      // slip
+  EXPECT_EQ(scene.faults[0]["Regularisation"].constant(), 1.); // arcsinh
+  EXPECT_EQ(scene.faults[0]["Initial state"].text(), "3 + x^2");
   EXPECT_EQ(scene.faults[0].normal_stress_source, NormalStressSource::function);
   EXPECT_EQ(scene.faults[0].normal_stress.text(), "1e4 * (3 + x)");
 
@@ -90,7 +90,7 @@ TEST(SceneReader, WrittenParametersGiveTheSameScene)
     SceneReader(folder.write("small.prm", two_bodies)).read<2>();
   // Numbers that need all digits.
   scene.bodies[1].material.density          = 1e4 / 3;
-  scene.faults[0].rate_and_state.a          = 0.1 + 0.2;
+  scene.faults[0]["a"]                      = 0.1 + 0.2;
   scene.time.tolerance                      = 1e-4 / 7;
   scene.bodies[0].geometry.lateral_lower[0] = -2.0 / 3;
   scene.tnnmg.max_iterations                = 77;
@@ -103,7 +103,7 @@ TEST(SceneReader, WrittenParametersGiveTheSameScene)
     SceneReader(folder.file("again.prm")).read<2>();
   EXPECT_EQ(as_text(again), as_text(scene));
   EXPECT_EQ(again.bodies[1].material.density.constant(), 1e4 / 3);
-  EXPECT_EQ(again.faults[0].rate_and_state.a.constant(), 0.1 + 0.2);
+  EXPECT_EQ(again.faults[0]["a"].constant(), 0.1 + 0.2);
   EXPECT_EQ(again.time.tolerance, 1e-4 / 7);
   EXPECT_EQ(again.bodies[0].geometry.lateral_lower[0], -2.0 / 3);
   EXPECT_EQ(again.tnnmg.max_iterations, 77u);
@@ -148,7 +148,7 @@ TEST(SceneReader, OverridesActAfterTheFile)
       .read<2>();
   EXPECT_EQ(scene.time.end_time, 4);
   EXPECT_EQ(scene.bodies[0].material.youngs_modulus.constant(), 5e7);
-  EXPECT_EQ(scene.faults[0].initial_state.text(), "if(x==0, 1, 2)");
+  EXPECT_EQ(scene.faults[0]["Initial state"].text(), "if(x==0, 1, 2)");
   EXPECT_EQ(scene.output.directory, "a=b");
 
   // Names too can be overridden, here with a scene of one body in the end.
@@ -176,7 +176,7 @@ TEST(SceneReader, IncludedFilesAreFoundNextToTheFileAndMayBeOverridden)
                              "end\n"))
       .read<2>();
   EXPECT_EQ(scene.time.end_time, 8);
-  EXPECT_EQ(scene.faults[0].rate_and_state.b.constant(), 0.02);
+  EXPECT_EQ(scene.faults[0]["b"].constant(), 0.02);
   EXPECT_EQ(scene.output.directory, "output/variant");
 }
 
@@ -190,18 +190,16 @@ TEST(SceneReader, TheSpringSliderIsThePublishedOne)
   EXPECT_EQ(scene.bodies[0].geometry.lower_corner(), Point<2>(-2.5, -1));
   EXPECT_EQ(scene.bodies[1].geometry.upper_corner(), Point<2>(2.5, 1));
   EXPECT_EQ(scene.bodies[1].geometry.refinement_passes, 4u);
-  EXPECT_EQ(scene.faults[0].rate_and_state.characteristic_slip.constant(),
-            2e-5);
+  EXPECT_EQ(scene.faults[0]["Characteristic slip"].constant(), 2e-5);
   EXPECT_EQ(scene.time.end_time, 60);
   EXPECT_DOUBLE_EQ(event_start_slip_rate(scene), 4e-4);
 
   SceneParameters<2> printed =
     SceneReader(source_file("parameters/spring_slider_printed_L.prm"))
       .read<2>();
-  EXPECT_EQ(printed.faults[0].rate_and_state.characteristic_slip.constant(),
-            0.02);
-  printed.faults[0].rate_and_state.characteristic_slip = 2e-5;
-  printed.output.directory                             = scene.output.directory;
+  EXPECT_EQ(printed.faults[0]["Characteristic slip"].constant(), 0.02);
+  printed.faults[0]["Characteristic slip"] = 2e-5;
+  printed.output.directory                 = scene.output.directory;
   EXPECT_EQ(as_text(printed), as_text(scene));
 }
 

@@ -4,6 +4,7 @@
 #ifndef stickslip_tests_stepping_scene_h
 #define stickslip_tests_stepping_scene_h
 
+#include <stickslip/friction/rate_and_state.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>

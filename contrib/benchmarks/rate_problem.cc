@@ -89,7 +89,7 @@ namespace
         {
           for (FaultParameters &fault : scene.faults)
             if (!state.second.empty())
-              fault.initial_state.set(state.second);
+              fault["Initial state"].set(state.second);
           const SystemState<dim> initial =
             make_initial_state(scene, problem.jump_basis(), equilibrium);
           faults.set_state(initial.alpha);

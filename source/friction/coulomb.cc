@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/friction/common_parameters.h>
 #include <stickslip/friction/coulomb.h>
 
 #include <algorithm>
@@ -16,6 +17,22 @@ namespace StickSlip
     AssertThrow(mu >= 0. && std::isfinite(mu),
                 dealii::ExcMessage("A friction coefficient must be a number "
                                    "that is not negative."));
+  }
+
+
+
+  CoulombLaw::CoulombLaw(const LawValues &values)
+    : CoulombLaw(values[CommonParameters::reference_friction()])
+  {}
+
+
+
+  LawKind
+  CoulombLaw::kind()
+  {
+    return {"Coulomb",
+            "mu0, a threshold",
+            {CommonParameters::reference_friction()}};
   }
 
 
@@ -51,5 +68,21 @@ namespace StickSlip
                         const double) const
   {
     return std::max(0., (r - k * mu) / c);
+  }
+
+
+
+  FrictionlessLaw::FrictionlessLaw(const LawValues &)
+    : CoulombLaw(0.)
+  {}
+
+
+
+  LawKind
+  FrictionlessLaw::kind()
+  {
+    LawKind kind             = {"frictionless", "nothing", {}};
+    kind.needs_normal_stress = false;
+    return kind;
   }
 } // namespace StickSlip

@@ -150,15 +150,6 @@ namespace StickSlip
 
   template <int dim>
   const std::vector<double> &
-  FaultFriction<dim>::get_state() const
-  {
-    return state;
-  }
-
-
-
-  template <int dim>
-  const std::vector<double> &
   FaultFriction<dim>::get_weights() const
   {
     return weights;
@@ -293,7 +284,7 @@ namespace StickSlip
     const double V    = slip_rate(v);
     if (V == 0. || term.load == 0.)
       return hessian(k, v);
-    // What is linear already takes no part in the chord.
+    // Linear terms take no part in the chord.
     const double along = (tangential_part(v) / V) * tangential_part(force);
     return hessian_with(term,
                         v,

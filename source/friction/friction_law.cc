@@ -21,7 +21,7 @@ namespace StickSlip
                          const double k,
                          const double data) const
   {
-    // Of c V + k mu(V) = r, the left side of which grows with V.
+    // Bounds of the root of c V + k mu(V) = r, whose left side grows with V.
     double lower = 0.;
     double upper = (r - k * coefficient(0., data)) / c;
     if (!(upper > 0.))

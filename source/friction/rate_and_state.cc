@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/friction/common_parameters.h>
 #include <stickslip/friction/rate_and_state.h>
 #include <stickslip/friction/wright_omega.h>
 
@@ -56,7 +57,7 @@ namespace StickSlip
 
       // With y = c V / k the equation is y + ln(y) = s.
       const double y = wright_omega(q + (std::log(c) - std::log(k) + log_vmin));
-      // Where friction carries nearly all of r, y has lost digits in units of
+      // If friction carries nearly all of r, y has lost digits in units of
       // itself but none in units of q.
       return (y < 1.) ? std::exp(log_vmin + (q - y)) : y * k / c;
     }
@@ -106,13 +107,47 @@ namespace StickSlip
             break;
         }
 
-      // Where the matrix has its part in r, take it from there.
+      // The part of the matrix in r, where it is not small, has more digits.
       if (cv >= std::min(z, 1.))
         return (q - z) * k / c;
       else if (z >= 1.)
         return std::exp(log_vmin + z) - std::exp(log_vmin - z);
       else
         return 2. * std::exp(std::min(log_vmin, 700.)) * std::sinh(z);
+    }
+
+
+
+    LawParameter
+    evolution_effect()
+    {
+      return LawParameter::field("b",
+                                 "Evolution effect b of the state (the fault "
+                                 "can be unstable only if b > a)",
+                                 "1",
+                                 NumberRange().at_least(0),
+                                 RateAndStateParameters().b);
+    }
+
+
+
+    LawParameter
+    regularisation_choice()
+    {
+      return LawParameter::choice(
+        "Regularisation",
+        "Friction coefficient as V tends to 0: a max(0, ln(V/Vmin)), or a "
+        "asinh(V/(2 Vmin))",
+        {"truncated", "arcsinh"});
+    }
+
+
+
+    Regularisation
+    chosen_regularisation(const LawValues &values)
+    {
+      return values[regularisation_choice()] == 0. ? Regularisation::truncated :
+                                                     Regularisation::arcsinh;
     }
   } // namespace
 
@@ -143,6 +178,34 @@ namespace StickSlip
                   std::isfinite(parameters.b),
                 dealii::ExcMessage("The parameters of rate-and-state friction "
                                    "must be finite."));
+  }
+
+
+
+  RateAndStateLaw::RateAndStateLaw(const LawValues &values)
+    : RateAndStateLaw({values[CommonParameters::direct_effect()],
+                       values[evolution_effect()],
+                       values[CommonParameters::reference_friction()],
+                       values[CommonParameters::reference_slip_rate()],
+                       values[CommonParameters::characteristic_slip()]},
+                      chosen_regularisation(values))
+  {}
+
+
+
+  LawKind
+  RateAndStateLaw::kind()
+  {
+    LawKind kind   = {"rate and state",
+                      "mu = mu0 + a ln(V/V0) + b ln(V0 theta/L)",
+                      {CommonParameters::direct_effect(),
+                       evolution_effect(),
+                       CommonParameters::reference_friction(),
+                       CommonParameters::reference_slip_rate(),
+                       CommonParameters::characteristic_slip(),
+                       regularisation_choice()}};
+    kind.has_state = true;
+    return kind;
   }
 
 
@@ -267,17 +330,6 @@ namespace StickSlip
 
 
 
-  double
-  RateAndStateLaw::state_derivative(const double V, const double log_vmin) const
-  {
-    if (regularisation == Regularisation::truncated)
-      return is_smooth(V, log_vmin) ? parameters.b : 0.;
-    else
-      return parameters.b * std::tanh(scaled_coefficient(V, log_vmin));
-  }
-
-
-
   const RateAndStateParameters &
   RateAndStateLaw::get_parameters() const
   {
@@ -290,5 +342,29 @@ namespace StickSlip
   RateAndStateLaw::get_regularisation() const
   {
     return regularisation;
+  }
+
+
+
+  VelocityStrengtheningLaw::VelocityStrengtheningLaw(const LawValues &values)
+    : RateAndStateLaw({values[CommonParameters::direct_effect()],
+                       0.,
+                       values[CommonParameters::reference_friction()],
+                       values[CommonParameters::reference_slip_rate()],
+                       RateAndStateParameters().characteristic_slip},
+                      chosen_regularisation(values))
+  {}
+
+
+
+  LawKind
+  VelocityStrengtheningLaw::kind()
+  {
+    return {"velocity strengthening",
+            "mu0 + a ln(V/V0)",
+            {CommonParameters::direct_effect(),
+             CommonParameters::reference_friction(),
+             CommonParameters::reference_slip_rate(),
+             regularisation_choice()}};
   }
 } // namespace StickSlip

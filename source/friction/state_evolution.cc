@@ -31,43 +31,10 @@ namespace StickSlip
       return (g == 0.) ? 1. : -std::expm1(-g) / g;
     }
 
-    /**
-     * -d ln(mean_decay(g)) / d ln(g) = (exp(g) - 1 - g) / (exp(g) - 1).
-     */
-    double
-    mean_decay_sensitivity(const double g)
-    {
-      if (g > 0.5)
-        return 1. - g / std::expm1(g);
-
-      // The terms of both series, divided by g.
-      double term      = 0.5 * g;
-      double numerator = term;
-      for (unsigned int n = 3; n < 16; ++n)
-        {
-          term *= g / n;
-          numerator += term;
-        }
-      return numerator / (1. + numerator);
-    }
-
     double
     exponential_aging(const double alpha, const double g, const double tau)
     {
       return log_of_sum(alpha - g, std::log(tau) + std::log(mean_decay(g)));
-    }
-
-    double
-    exponential_aging_sensitivity(const double alpha,
-                                  const double g,
-                                  const double tau)
-    {
-      const double updated = exponential_aging(alpha, g, tau);
-      // The shares of theta1 that come from theta0 and from healing.
-      const double memory = std::exp(alpha - g - updated);
-      const double healing =
-        std::exp(std::log(tau) + std::log(mean_decay(g)) - updated);
-      return memory * g + healing * mean_decay_sensitivity(g);
     }
 
     /**
@@ -112,76 +79,63 @@ namespace StickSlip
 
 
   double
-  state_rate(const StateLaw law,
-             const double   alpha,
-             const double   V,
-             const double   L)
+  AgingLaw::rate(const double alpha, const double V, const double L) const
   {
-    if (law == StateLaw::aging)
-      return std::exp(-alpha) - V / L;
-    else
-      return (V == 0.) ? 0. : -V / L * (alpha + std::log(V / L));
+    return std::exp(-alpha) - V / L;
   }
 
 
 
   double
-  steady_state(const double V, const double L)
+  AgingLaw::updated(const StateUpdate update,
+                    const double      alpha,
+                    const double      V,
+                    const double      L,
+                    const double      tau) const
   {
-    return -std::log(V / L);
+    Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
+    const double g = V / L * tau;
+    return update == StateUpdate::exponential ?
+             exponential_aging(alpha, g, tau) :
+             implicit_aging(alpha, g, tau);
   }
 
 
 
   double
-  updated_state(const StateLaw    law,
-                const StateUpdate update,
-                const double      alpha,
-                const double      V,
-                const double      L,
-                const double      tau)
+  SlipLaw::rate(const double alpha, const double V, const double L) const
+  {
+    return (V == 0.) ? 0. : -V / L * (alpha + std::log(V / L));
+  }
+
+
+
+  double
+  SlipLaw::updated(const StateUpdate update,
+                   const double      alpha,
+                   const double      V,
+                   const double      L,
+                   const double      tau) const
   {
     Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
     const double rate = V / L;
-    const double g    = rate * tau;
-
-    if (law == StateLaw::aging)
-      return (update == StateUpdate::exponential) ?
-               exponential_aging(alpha, g, tau) :
-               implicit_aging(alpha, g, tau);
-
-    // Also where V/L underflows: there the state of the slip law stands still.
+    // The state stands still, also if V/L underflows.
     if (rate == 0.)
       return alpha;
-    return (update == StateUpdate::exponential) ?
+    const double g = rate * tau;
+    return update == StateUpdate::exponential ?
              exponential_slip(alpha, g, std::log(rate)) :
              implicit_slip(alpha, g, std::log(rate));
   }
 
 
 
-  double
-  state_sensitivity(const StateLaw    law,
-                    const StateUpdate update,
-                    const double      alpha,
-                    const double      V,
-                    const double      L,
-                    const double      tau)
+  const std::vector<StateLawKind> &
+  state_laws()
   {
-    Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
-    const double rate = V / L;
-    const double g    = rate * tau;
-    if (g == 0.)
-      return 0.;
-
-    if (law == StateLaw::aging)
-      return (update == StateUpdate::exponential) ?
-               exponential_aging_sensitivity(alpha, g, tau) :
-               g / (1. + implicit_aging_increment(alpha, g, tau));
-
-    const double distance = alpha + std::log(rate);
-    return (update == StateUpdate::exponential) ?
-             -std::expm1(-g) + g * std::exp(-g) * distance :
-             g / (1. + g) * (1. + distance / (1. + g));
+    static const std::vector<StateLawKind> laws = {
+      {"aging", "Dieterich", std::make_shared<const AgingLaw>()},
+      {"slip", "Ruina", std::make_shared<const SlipLaw>()}};
+    return laws;
   }
 } // namespace StickSlip

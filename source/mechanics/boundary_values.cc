@@ -7,7 +7,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <stickslip/mechanics/boundary_values.h>
-#include <stickslip/parameters/expression.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,11 +53,7 @@ namespace StickSlip
               (condition.type[c] == BoundaryType::velocity ||
                condition.type[c] == BoundaryType::traction) &&
               std::regex_search(condition.expression[c], the_time);
-            side.values[c] = std::make_unique<FunctionParser<dim>>();
-            side.values[c]->initialize(expression_variables<dim>(true),
-                                       condition.expression[c],
-                                       expression_constants(),
-                                       /*time_dependent=*/true);
+            side.values.emplace_back(condition.expression[c], true);
           }
         const BodyMesh<dim> &body     = *finest.bodies[side.body];
         const auto           add_node = [&](const types::global_dof_index dof,
@@ -125,10 +120,9 @@ namespace StickSlip
           if (side.condition.type[c] == BoundaryType::velocity)
             {
               const double ramp = smooth_ramp(time, side.condition.ramp_length);
-              side.values[c]->set_time(time);
               for (unsigned int k = 0; k < side.nodes.size(); ++k)
                 velocity.local_element(side.nodes[k] * dim + c) =
-                  ramp * side.values[c]->value(side.points[k]);
+                  ramp * side.values[c].value(side.points[k], time);
             }
           else if (side.condition.type[c] == BoundaryType::fixed)
             for (const unsigned int node : side.nodes)
@@ -176,14 +170,13 @@ namespace StickSlip
                 for (unsigned int c = 0; c < dim; ++c)
                   if (side.condition.type[c] == BoundaryType::traction)
                     {
-                      side.values[c]->set_time(time);
                       for (const unsigned int q :
                            fe_values.quadrature_point_indices())
                         {
                           const double traction =
                             ramp * fe_values.JxW(q) *
-                            side.values[c]->value(
-                              fe_values.quadrature_point(q));
+                            side.values[c].value(fe_values.quadrature_point(q),
+                                                 time);
                           for (unsigned int i = 0; i < cell_dofs.size(); ++i)
                             {
                               // A hanging node hands its load to its masters.
@@ -235,11 +228,10 @@ namespace StickSlip
               const double t    = time + part * tau;
               const double ramp = smooth_ramp(t, side.condition.ramp_length) *
                                   (part == 0.5 ? -2. : 1.);
-              side.values[c]->set_time(t);
               for (unsigned int k = 0; k < side.points.size(); ++k)
                 {
                   const double value =
-                    ramp * side.values[c]->value(side.points[k]);
+                    ramp * side.values[c].value(side.points[k], t);
                   second_difference[k] += value;
                   side.largest[c] =
                     std::max(side.largest[c],

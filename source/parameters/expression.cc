@@ -1,54 +1,48 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/function_parser.h>
-
+#include <muParser.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/number_range.h>
 
+#include <array>
 #include <cmath>
-#include <iostream>
-#include <map>
-#include <memory>
-#include <sstream>
+#include <regex>
 
 namespace StickSlip
 {
   namespace
   {
-    // FunctionParser prints to the error stream before it throws; what it
-    // prints there is the only readable account of the mistake.
-    class CaughtErrorStream
+    /** True for numbers that round to another whole number than 0. */
+    bool
+    is_true(const double x)
     {
-    public:
-      CaughtErrorStream()
-        : previous(std::cerr.rdbuf(text.rdbuf()))
-      {}
+      return std::abs(x) >= 0.5;
+    }
 
-      ~CaughtErrorStream()
-      {
-        std::cerr.rdbuf(previous);
-      }
 
-      std::string
-      message() const
-      {
-        const std::string all   = text.str();
-        const std::size_t begin = all.find('<');
-        const std::size_t end   = all.find(">\n");
-        if (begin == std::string::npos || end == std::string::npos)
-          return "it is not a valid expression";
-        std::string message = all.substr(begin + 1, end - begin - 1);
-        while (!message.empty() && message.back() == '.')
-          message.pop_back();
-        return message;
-      }
 
-    private:
-      std::ostringstream text;
-      std::streambuf    *previous;
-    };
+    /** Define the functions that muParser does not have. */
+    void
+    define_functions(mu::Parser &parser)
+    {
+      parser.DefineFun("if", [](double condition, double one, double other) {
+        return is_true(condition) ? one : other;
+      });
+      parser.DefineFun("int", [](double x) -> double {
+        return static_cast<int>(x + (x >= 0. ? 0.5 : -0.5));
+      });
+      parser.DefineFun("ceil", [](double x) { return std::ceil(x); });
+      parser.DefineFun("floor", [](double x) { return std::floor(x); });
+      parser.DefineFun("pow",
+                       [](double x, double n) { return std::pow(x, n); });
+      parser.DefineFun("sec", [](double x) { return 1. / std::cos(x); });
+      parser.DefineFun("csc", [](double x) { return 1. / std::sin(x); });
+      parser.DefineFun("cot", [](double x) { return 1. / std::tan(x); });
+      parser.DefineFun("erf", [](double x) { return std::erf(x); });
+      parser.DefineFun("erfc", [](double x) { return std::erfc(x); });
+    }
 
 
 
@@ -68,137 +62,130 @@ namespace StickSlip
 
 
 
-    template <int dim>
-    InputError
-    error(const std::string &mistake, const bool depends_on_time)
+    // muParser wants the parenthesis of a function next to its name. Moved
+    // there, it leaves all other characters in their place.
+    std::string
+    without_space_after_names(const std::string &expression)
     {
-      return InputError(mistake + " (it must be one expression in " +
-                        expression_variables<dim>(depends_on_time) + ")");
+      static const std::regex name_and_spaces("([A-Za-z_][A-Za-z0-9_]*)"
+                                              "([ \t]+)\\(");
+      return std::regex_replace(expression, name_and_spaces, "$1($2");
     }
 
 
 
-    template <int dim>
-    std::shared_ptr<FunctionParser<dim>>
-    make_parser(const std::string &expression, const bool depends_on_time)
+    /** Description of a mistake from muParser, with its place. */
+    std::string
+    mistake(const mu::ParserError &error, const std::string &expression)
     {
-      if (has_several_values(expression))
-        throw error<dim>("more than one value", depends_on_time);
-      if (expression.empty())
-        throw error<dim>("it is empty", depends_on_time);
-      const CaughtErrorStream error_stream;
-      try
-        {
-          auto parser = std::make_shared<FunctionParser<dim>>(1);
-          parser->initialize(expression_variables<dim>(depends_on_time),
-                             expression,
-                             expression_constants(),
-                             depends_on_time);
-          return parser;
-        }
-      catch (const std::exception &)
-        {
-          throw error<dim>(error_stream.message(), depends_on_time);
-        }
-    }
-
-
-
-    // The first value of a parser: most mistakes are found only now.
-    template <int dim>
-    double
-    first_value(const FunctionParser<dim> &parser,
-                const Point<dim>          &point,
-                const bool                 depends_on_time)
-    {
-      const CaughtErrorStream error_stream;
-      try
-        {
-          return parser.value(point);
-        }
-      catch (const std::exception &)
-        {
-          throw error<dim>(error_stream.message(), depends_on_time);
-        }
+      static const std::regex place("( found)? at (expression )?position "
+                                    "[0-9]+");
+      std::string text = std::regex_replace(error.GetMsg(), place, "");
+      while (!text.empty() && text.back() == '.')
+        text.pop_back();
+      const std::size_t position = error.GetPos();
+      if (position < expression.size())
+        text += " at character " + std::to_string(position + 1);
+      else
+        text += " at the end";
+      return text;
     }
   } // namespace
 
 
 
+  /**
+   * muParser with the values of its variables.
+   */
   template <int dim>
-  std::string
-  expression_variables(const bool depends_on_time)
+  class Expression<dim>::Parser
   {
-    return std::string(dim == 2 ? "x,y" : "x,y,z") +
-           (depends_on_time ? ",t" : "");
-  }
+  public:
+    Parser(const std::string &expression, const bool may_depend_on_time)
+    {
+      variables.fill(0.);
+      const auto error = [&](const std::string &mistake) {
+        return InputError(mistake + " (it must be one expression in " +
+                          (dim == 2 ? "x,y" : "x,y,z") +
+                          (may_depend_on_time ? ",t" : "") + ")");
+      };
+      if (has_several_values(expression))
+        throw error("more than one value");
+      if (expression.empty())
+        throw error("it is empty");
+      try
+        {
+          parser.DefineConst("pi", numbers::PI);
+          for (unsigned int d = 0; d < dim; ++d)
+            parser.DefineVar(std::string(1, "xyz"[d]), &variables[d]);
+          if (may_depend_on_time)
+            parser.DefineVar("t", &variables[dim]);
+          define_functions(parser);
+          parser.SetExpr(without_space_after_names(expression));
+          // Most mistakes are found at the first evaluation only.
+          parser.Eval();
+        }
+      catch (const mu::ParserError &e)
+        {
+          throw error(mistake(e, expression));
+        }
+    }
 
+    double
+    value(const Point<dim> &point, const double time)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        variables[d] = point[d];
+      variables[dim] = time;
+      return parser.Eval();
+    }
 
-
-  std::map<std::string, double>
-  expression_constants()
-  {
-    return {{"pi", numbers::PI}};
-  }
+  private:
+    std::array<double, dim + 1> variables;
+    mu::Parser                  parser;
+  };
 
 
 
   template <int dim>
-  std::function<double(const Point<dim> &)>
-  read_expression(const std::string &expression)
+  Expression<dim>::Expression(const std::string &text,
+                              const bool         may_depend_on_time)
+    : parser(std::make_shared<Parser>(text, may_depend_on_time))
+    , may_depend_on_time(may_depend_on_time)
+  {}
+
+
+
+  template <int dim>
+  double
+  Expression<dim>::value(const Point<dim> &point, const double time) const
   {
-    const auto parser = make_parser<dim>(expression, false);
-    return [parser, is_read = false](const Point<dim> &point) mutable {
-      if (is_read)
-        return parser->value(point);
-      is_read = true;
-      return first_value(*parser, point, false);
-    };
+    return parser->value(point, time);
   }
 
 
 
   template <int dim>
   double
-  evaluate_expression(const std::string &expression,
-                      const Point<dim>  &point,
-                      const bool         depends_on_time,
-                      const double       time)
+  Expression<dim>::finite_value(const Point<dim> &point,
+                                const double      time) const
   {
-    const auto parser = make_parser<dim>(expression, depends_on_time);
-    parser->set_time(time);
-    const double value = first_value(*parser, point, depends_on_time);
-    if (!std::isfinite(value))
+    const double result = value(point, time);
+    if (!std::isfinite(result))
       {
         std::string where;
         for (unsigned int d = 0; d < dim; ++d)
           where += (d == 0 ? "" : ", ") + shortest_form(point[d]);
         throw InputError(
           "its value at (" + where + ")" +
-          (depends_on_time ? ", t = " + shortest_form(time) : "") +
+          (may_depend_on_time ? ", t = " + shortest_form(time) : "") +
           " is not a finite number");
       }
-    return value;
+    return result;
   }
 
 
 
-  template std::string
-  expression_variables<2>(const bool);
-  template std::string
-  expression_variables<3>(const bool);
-  template std::function<double(const Point<2> &)>
-  read_expression<2>(const std::string &);
-  template std::function<double(const Point<3> &)>
-  read_expression<3>(const std::string &);
-  template double
-  evaluate_expression<2>(const std::string &,
-                         const Point<2> &,
-                         const bool,
-                         const double);
-  template double
-  evaluate_expression<3>(const std::string &,
-                         const Point<3> &,
-                         const bool,
-                         const double);
+  template class Expression<2>;
+  template class Expression<3>;
 } // namespace StickSlip

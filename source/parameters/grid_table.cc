@@ -31,7 +31,7 @@ namespace StickSlip
 
 
 
-    /** What a file says, line by line. */
+    /** Contents of a file, line by line. */
     struct TableText
     {
       std::string               file_name;

@@ -92,11 +92,12 @@ namespace StickSlip
 
 
   std::string
-  join_names(const std::vector<std::string> &names)
+  join_names(const std::vector<std::string> &names,
+             const std::string              &separator)
   {
     std::string list;
-    for (const std::string &name : names)
-      list += (list.empty() ? "" : ", ") + name;
+    for (unsigned int i = 0; i < names.size(); ++i)
+      list += (i == 0 ? "" : separator) + names[i];
     return list;
   }
 } // namespace StickSlip

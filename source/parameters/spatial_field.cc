@@ -159,13 +159,15 @@ namespace StickSlip
         };
       }
     else if (!expression.empty())
-      unchecked =
-        with_name(name, [&]() { return read_expression<dim>(expression); });
+      unchecked = with_name(name, [&]() {
+        return [parsed = Expression<dim>(expression, false)](
+                 const Point<dim> &point) { return parsed.value(point); };
+      });
     else
       unchecked = [number = number](const Point<dim> &) { return number; };
 
     return [unchecked, name, range = range](const Point<dim> &point) {
-      const double value = with_name(name, [&]() { return unchecked(point); });
+      const double value = unchecked(point);
       if (!range.contains(value))
         throw InputError(name + "is " + shortest_form(value) + " at " +
                          position(point) + ", but must be " +

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/function_parser.h>
-
 #include <stickslip/parameters/expression.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/side_points.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace StickSlip
 {
@@ -21,26 +18,22 @@ namespace StickSlip
     double             largest     = 0;
     for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
       {
-        std::vector<std::string> expressions;
+        std::vector<Expression<dim>> velocity;
         for (unsigned int component = 0; component < dim; ++component)
-          expressions.push_back(condition.type[component] ==
+          velocity.emplace_back(condition.type[component] ==
                                     BoundaryType::velocity ?
                                   condition.expression[component] :
-                                  "0");
-        FunctionParser<dim> velocity(dim);
-        velocity.initialize(expression_variables<dim>(true),
-                            expressions,
-                            expression_constants(),
-                            true);
+                                  "0",
+                                true);
 
         for (unsigned int i = 0; i <= n_intervals; ++i)
           {
-            velocity.set_time(scene.time.end_time * i / n_intervals);
+            const double time = scene.time.end_time * i / n_intervals;
             for (const Point<dim> &point : side_points(scene, condition))
               {
                 double square = 0;
-                for (unsigned int component = 0; component < dim; ++component)
-                  square += std::pow(velocity.value(point, component), 2);
+                for (const Expression<dim> &component : velocity)
+                  square += std::pow(component.value(point, time), 2);
                 largest = std::max(largest, std::sqrt(square));
               }
           }

@@ -4,6 +4,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/scene_checks.h>
@@ -222,7 +223,7 @@ namespace StickSlip
 
 
 
-    // That there is a value at each point and time.
+    /** Check that there is a value at each point and time. */
     template <int dim>
     void
     check_expression(const std::string             &path,
@@ -232,9 +233,10 @@ namespace StickSlip
     {
       try
         {
+          const Expression<dim> parsed(expression, true);
           for (const Point<dim> &point : points)
             for (const double time : times)
-              evaluate_expression(expression, point, true, time);
+              parsed.finite_value(point, time);
         }
       catch (const InputError &error)
         {
@@ -294,15 +296,21 @@ namespace StickSlip
                           return region.friction.has_state();
                         }))
           return;
+      std::vector<std::string> with_state;
+      for (const LawKind &kind : law_registry().kinds())
+        if (kind.has_state)
+          with_state.push_back("'" + kind.name + "'");
       throw InputError(
         naming("Time/Step size control", "step doubling") +
         ": compares the states of two small steps and a large one, and no fault "
-        "has 'Friction' = 'rate and state'; choose embedded or constant.");
+        "has 'Friction' = " +
+        join_names(with_state, " or ") + "; choose embedded or constant.");
     }
 
 
 
-    /** What is said of a side of a rigid body must be a motion of all of it. */
+    /** Check that the condition on a side is a motion of all of a rigid body.
+     */
     template <int dim>
     void
     check_rigid_motion(const SceneParameters<dim>   &scene,

@@ -28,8 +28,8 @@ namespace StickSlip
 
 
 
-    // What is there in place of an entry that is not: the entries of its
-    // subsection, or the subsections of the deepest one that exists.
+    /** Entries in the subsection of one that is not there, or subsections of
+     * the deepest one that exists. */
     std::string
     alternatives(const Assignment                 &assignment,
                  const std::vector<DeclaredEntry> &entries)
@@ -82,8 +82,8 @@ namespace StickSlip
 
 
 
-    // The same assignment to a region of a fault, if it is one to the fault and
-    // the region has such an entry.
+    /** Assignment to a region of a fault that takes the place of one to the
+     * fault, if the region has such an entry. */
     std::optional<Assignment>
     inherited_by(const std::string                &fault,
                  const std::string                &region,
@@ -309,7 +309,7 @@ namespace StickSlip
       for (const Assignment &assignment : assignments)
         if (!is_of_region(assignment))
           apply(prm, entries, assignment);
-      // What a region does not say is as in its fault.
+      // Entries that a region does not set are as in its fault.
       for (const FaultParameters &fault : scene.faults)
         for (const FrictionRegion &region : fault.regions)
           for (const Assignment &assignment : assignments)

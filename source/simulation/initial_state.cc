@@ -37,11 +37,9 @@ namespace StickSlip
               double &sigma = stress[first + i];
               if (!given.empty())
                 sigma = given[i];
-              const bool is_free =
-                part.friction->has_prescribed_slip() ||
-                part.friction->kind == FrictionKind::frictionless;
-              has_friction = has_friction || !is_free;
-              if (sigma < 0. && !is_free)
+              const bool is_needed = part.friction->kind().needs_normal_stress;
+              has_friction         = has_friction || is_needed;
+              if (sigma < 0. && is_needed)
                 ++n_in_tension;
               sigma = std::max(sigma, 0.);
               ++k;
@@ -88,8 +86,8 @@ namespace StickSlip
           if (part.friction->has_state())
             {
               const std::vector<double> theta =
-                part.friction->initial_state.values(part.select(points),
-                                                    part.section);
+                part.friction->initial_states(part.select(points),
+                                              part.section);
               for (unsigned int i = 0; i < theta.size(); ++i)
                 state.alpha[first + part.positions[i]] = std::log(theta[i]);
             }

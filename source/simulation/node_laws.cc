@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/friction/common_parameters.h>
 #include <stickslip/friction/coulomb.h>
 #include <stickslip/simulation/node_laws.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace StickSlip
@@ -45,56 +45,25 @@ namespace StickSlip
 
 
 
-    /** All numbers of a law, those of friction and the radiation damping. Laws
-     * of one kind are the same where these are. */
-    using Numbers = std::array<double, 6>;
-
-    static_assert(sizeof(RateAndStateParameters) == 5 * sizeof(double),
-                  "Each parameter of friction must be among the numbers.");
-
-    Numbers
-    numbers(const RateAndStateParameters &p, const double damping)
-    {
-      return {{p.a,
-               p.b,
-               p.reference_friction,
-               p.reference_slip_rate,
-               p.characteristic_slip,
-               damping}};
-    }
-
-
-
-    /** The law of one kind of friction with the parameters of one node. */
+    /** The law of a kind of friction with the values of one node. */
     FaultLaw
-    make_law(const FrictionParameters &friction, RateAndStateParameters p)
+    make_law(const LawKind &kind, const LawValues &values)
     {
       FaultLaw law;
-      law.has_state           = friction.has_state();
-      law.state_law           = friction.state_law;
-      law.characteristic_slip = p.characteristic_slip;
-      law.is_prescribed       = friction.has_prescribed_slip();
-      switch (friction.kind)
+      if (!kind.make_law)
         {
-          case FrictionKind::velocity_strengthening:
-            p.b = 0.;
-            [[fallthrough]];
-          case FrictionKind::rate_and_state:
-            law.friction =
-              std::make_shared<const RateAndStateLaw>(p,
-                                                      friction.regularisation);
-            break;
-          case FrictionKind::coulomb:
-            law.friction =
-              std::make_shared<const CoulombLaw>(p.reference_friction);
-            break;
-          case FrictionKind::frictionless:
-          case FrictionKind::welded:
-          case FrictionKind::prescribed_slip_rate:
-            law.friction = std::make_shared<const CoulombLaw>(0.);
-            break;
+          // The slip rate is known, and friction has no say.
+          law.friction      = std::make_shared<const CoulombLaw>(0.);
+          law.is_prescribed = true;
+          return law;
         }
-      AssertThrow(law.friction != nullptr, ExcInternalError());
+      law.friction = kind.make_law(values);
+      if (kind.has_state)
+        law.state_law = state_laws()
+                          .at(static_cast<unsigned int>(
+                            values[CommonParameters::state_law()]))
+                          .law;
+      law.characteristic_slip = values[CommonParameters::characteristic_slip()];
       return law;
     }
   } // namespace
@@ -115,22 +84,23 @@ namespace StickSlip
         result.of_node.resize(first + points.size());
         for (const FaultPart &part : scene.faults[f].parts(points))
           {
-            std::map<Numbers, unsigned int>           known;
-            const std::vector<RateAndStateParameters> parameters =
-              part.friction->rate_and_state.values(part.select(points),
-                                                   part.section);
-            for (unsigned int i = 0; i < parameters.size(); ++i)
+            // Laws of one kind are the same where all of these are.
+            std::map<std::pair<std::vector<double>, double>, unsigned int>
+                                         known;
+            const LawKind               &kind = part.friction->kind();
+            const std::vector<LawValues> values =
+              part.friction->law_values(part.select(points), part.section);
+            for (unsigned int i = 0; i < values.size(); ++i)
               {
+                const double eta = damping[part.positions[i]];
                 const auto [place, is_new] =
-                  known.emplace(numbers(parameters[i],
-                                        damping[part.positions[i]]),
+                  known.emplace(std::make_pair(values[i].all(), eta),
                                 result.laws.size());
                 result.of_node[first + part.positions[i]] = place->second;
                 if (!is_new)
                   continue;
-                result.laws.push_back(make_law(*part.friction, parameters[i]));
-                result.laws.back().radiation_damping =
-                  damping[part.positions[i]];
+                result.laws.push_back(make_law(kind, values[i]));
+                result.laws.back().radiation_damping = eta;
               }
           }
       }
@@ -165,7 +135,8 @@ namespace StickSlip
                                                      part.section);
               for (unsigned int i = 0; i < rates.size(); ++i)
                 known[part.positions[i]] =
-                  SlipRate<dim>{rates[i], part.friction->slip_rate_ramp_length};
+                  SlipRate<dim>{rates[i],
+                                part.friction->slip_rate_ramp_length()};
             }
           return known;
         };

@@ -143,18 +143,17 @@ namespace StickSlip
     for (unsigned int k = 0; k < alpha.size(); ++k)
       {
         const FaultLaw &law = faults.law(k);
-        if (!law.has_state)
+        if (!law.state_law)
           continue;
         const double V =
           time_parameters.state_update == StateUpdate::exponential ?
             0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
             magnitude(slip_rate[k]);
-        alpha[k] = updated_state(law.state_law,
-                                 time_parameters.state_update,
-                                 from.alpha[k],
-                                 V,
-                                 law.characteristic_slip,
-                                 tau);
+        alpha[k] = law.state_law->updated(time_parameters.state_update,
+                                          from.alpha[k],
+                                          V,
+                                          law.characteristic_slip,
+                                          tau);
       }
     return alpha;
   }

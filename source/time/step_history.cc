@@ -47,11 +47,9 @@ namespace StickSlip
         result.in_contact[k] = faults.in_contact(k);
         const FaultLaw &law  = faults.law(k);
         const double    V    = magnitude(state.slip_rate[k]);
-        if (law.has_state)
-          result.state_rate[k] = state_rate(law.state_law,
-                                            state.alpha[k],
-                                            V,
-                                            law.characteristic_slip);
+        if (law.state_law)
+          result.state_rate[k] =
+            law.state_law->rate(state.alpha[k], V, law.characteristic_slip);
         result.friction[k] = directed_friction(faults, state, k);
       }
     return result;

@@ -27,9 +27,13 @@ namespace StickSlip
                "Tolerance",
                tolerance,
                NumberRange().above(0),
-               "Error allowed in a step under the embedded control: of the "
-               "logarithms of state and slip rate in the L2 norm of the "
-               "faults, in m^((d-1)/2).");
+               "Error allowed in a step under the embedded control, in "
+               "m^((d-1)/2): the L2 norm over the faults of the error of the "
+               "logarithm of the state and, at each node, of the smaller one "
+               "of two: the error of the friction coefficient over the larger "
+               "one of a and b, times the normal stress over its mean; or that "
+               "of the slip rate over the largest one of the fault. Before "
+               "three steps have been taken, the state alone counts.");
     add_number(prm,
                "Doubling threshold",
                doubling_threshold,

@@ -17,9 +17,8 @@ namespace StickSlip
   struct FaultLaw
   {
     std::shared_ptr<const FrictionLaw> friction;
-    /** Whether there is a state, and how it evolves. */
-    bool     has_state = true;
-    StateLaw state_law = StateLaw::aging;
+    /** How the state evolves; null without a state. */
+    std::shared_ptr<const StateLaw> state_law;
     /** Characteristic slip L, m: of the state, and the measure of an error of
      * the slip. */
     double characteristic_slip = 0;

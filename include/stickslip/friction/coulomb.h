@@ -4,7 +4,7 @@
 #ifndef stickslip_friction_coulomb_h
 #define stickslip_friction_coulomb_h
 
-#include <stickslip/friction/friction_law.h>
+#include <stickslip/friction/law_registry.h>
 
 namespace StickSlip
 {
@@ -20,6 +20,11 @@ namespace StickSlip
      * Constructor. Throws unless the coefficient is finite and not negative.
      */
     explicit CoulombLaw(const double coefficient);
+
+    explicit CoulombLaw(const LawValues &values);
+
+    static LawKind
+    kind();
 
     double
     coefficient(const double V, const double data) const override;
@@ -38,6 +43,20 @@ namespace StickSlip
 
   private:
     const double mu;
+  };
+
+
+
+  /**
+   * No friction, as a kind of its own.
+   */
+  class FrictionlessLaw : public CoulombLaw
+  {
+  public:
+    explicit FrictionlessLaw(const LawValues &values);
+
+    static LawKind
+    kind();
   };
 } // namespace StickSlip
 

@@ -78,12 +78,6 @@ namespace StickSlip
     set_damping(const std::vector<double> &damping);
 
     /**
-     * The state as last set.
-     */
-    const std::vector<double> &
-    get_state() const;
-
-    /**
      * The integrals of the slave basis functions.
      */
     const std::vector<double> &
@@ -165,7 +159,7 @@ namespace StickSlip
 
   private:
     /**
-     * What the functions of one node need, side by side in memory.
+     * Numbers that the functions of one node need, side by side.
      */
     struct Term
     {

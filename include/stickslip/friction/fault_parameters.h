@@ -14,7 +14,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * Where the normal stress in the friction law comes from.
+   * Source of the normal stress in the friction law.
    */
   enum class NormalStressSource
   {
@@ -40,8 +40,8 @@ namespace StickSlip
   };
 
   /**
-   * Those of some points of a fault at which the same parameters of friction
-   * hold.
+   * Points of a fault at which the same parameters of friction hold, among some
+   * points.
    */
   struct FaultPart
   {
@@ -50,10 +50,11 @@ namespace StickSlip
     /** The subsection of its entries, for messages. */
     std::string section;
 
-    /** Among the points, in ascending order. */
+    /** Positions of these points among all, in ascending order. */
     std::vector<unsigned int> positions;
 
-    /** Those of some values, one a point, that belong to the part. */
+    /** Values that belong to the part, of those that there are for all points.
+     */
     template <typename Value>
     std::vector<Value>
     select(const std::vector<Value> &values) const
@@ -79,10 +80,10 @@ namespace StickSlip
     /** Normal stress, Pa, compression positive. */
     SpatialField normal_stress = 5e4;
 
-    /** Whether the normal stress changes with the contact force. */
+    /** True if the normal stress changes with the contact force. */
     bool normal_stress_follows = false;
 
-    /** Where several hold, the last of them counts. */
+    /** Regions in their order: where several are, the last of them counts. */
     std::vector<FrictionRegion> regions;
 
     /** The subsection of its entries, for messages. */

@@ -30,8 +30,8 @@ namespace StickSlip
     virtual ~FrictionLaw() = default;
 
     /**
-     * What the law needs to know of a node with state @p alpha; zero unless a
-     * law says something else.
+     * Number that the law needs to know of a node with state @p alpha; zero
+     * unless a law says something else.
      */
     virtual double
     node_data(const double alpha) const;
@@ -65,9 +65,9 @@ namespace StickSlip
     potential(const double V, const double data) const = 0;
 
     /**
-     * Whether v -> Phi(|v|) is twice differentiable in a neighbourhood of
-     * |v| = V: but for V = 0 of a law with a threshold, unless a law says
-     * something else.
+     * True if v -> Phi(|v|) is twice differentiable in a neighbourhood of
+     * |v| = V: everywhere but at V = 0 of a law with a threshold, unless a law
+     * says something else.
      */
     virtual bool
     is_smooth(const double V, const double data) const;
@@ -90,8 +90,8 @@ namespace StickSlip
               const double data) const;
 
     /**
-     * By how much mu changes, about, where the slip rate changes by a factor of
-     * e: the measure of an error of mu for the control of the step size. Zero,
+     * Change of mu, about, where the slip rate changes by a factor of e: the
+     * measure of an error of mu for the control of the step size. Zero,
      * the answer unless a law says something else, where mu tells nothing of
      * the slip rate; errors then are those of the slip rate alone.
      */

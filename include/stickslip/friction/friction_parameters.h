@@ -4,13 +4,11 @@
 #ifndef stickslip_friction_friction_parameters_h
 #define stickslip_friction_friction_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
-#include <stickslip/friction/rate_and_state_fields.h>
-#include <stickslip/friction/state_evolution.h>
+#include <stickslip/friction/law_registry.h>
 
-#include <array>
+#include <map>
 #include <string>
 
 namespace StickSlip
@@ -18,61 +16,60 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * What resists the slip.
+   * Friction of one fault or one region of a fault, as a scene says it: a kind,
+   * and all parameters of all kinds, of which each kind uses its own.
    */
-  enum class FrictionKind
+  class FrictionParameters
   {
-    /** mu0 + a ln(V/V0) + b ln(V0 theta/L) */
-    rate_and_state,
-    /** The same without the state, mu0 + a ln(V/V0). */
-    velocity_strengthening,
-    /** The same without either, mu0: a threshold. */
-    coulomb,
-    /** Nothing. */
-    frictionless,
-    /** There is no slip. */
-    welded,
-    /** The slip rate is given. */
-    prescribed_slip_rate
-  };
+  public:
+    /** Rate and state, the first kind of the registry, with the default values
+     * of all parameters. */
+    FrictionParameters();
 
-  /**
-   * What a scene says of the friction of one fault or one region of a fault.
-   * Each kind of friction uses those of the parameters that it has.
-   */
-  struct FrictionParameters
-  {
-    FrictionKind kind = FrictionKind::rate_and_state;
+    /** Kind of friction, the entry 'Friction'. */
+    const LawKind &
+    kind() const;
 
-    /** a, b, mu0, V0, L. */
-    RateAndStateFields rate_and_state;
-    Regularisation     regularisation = Regularisation::truncated;
-    StateLaw           state_law      = StateLaw::aging;
+    /** Parameter that an entry sets; a choice is the position of its word. */
+    SpatialField &
+    operator[](const std::string &entry);
 
-    /** Initial state theta, s. */
-    SpatialField initial_state = 1.;
+    const SpatialField &
+    operator[](const std::string &entry) const;
 
-    /** Of the upper side relative to the lower one, along each horizontal axis,
-     * m/s. */
-    std::array<SpatialField, 2> slip_rate;
-
-    /** Time in which it grows from zero, s. */
-    double slip_rate_ramp_length = 0;
-
-    /** Whether friction depends on a state that evolves. */
+    /** True if friction depends on a state that evolves. */
     bool
     has_state() const;
 
-    /** Whether the slip rate is known, so that no friction acts. */
+    /** True if the slip rate is known, so that no friction acts. */
     bool
     has_prescribed_slip() const;
 
-    /** The slip rates at some points, where they are prescribed; zero where the
-     * fault is welded. Throws InputError, see SpatialField::function(). */
+    /** Values of all parameters of the kind at some points. Throws InputError,
+     * see SpatialField::function(). */
+    template <int dim>
+    std::vector<LawValues>
+    law_values(const std::vector<Point<dim>> &points,
+               const std::string             &section) const;
+
+    /** State theta at the start at some points, s. Throws InputError, see
+     * SpatialField::function(). */
+    template <int dim>
+    std::vector<double>
+    initial_states(const std::vector<Point<dim>> &points,
+                   const std::string             &section) const;
+
+    /** Slip rates at some points, where they are prescribed: of the upper side
+     * relative to the lower one, m/s; zero where the fault is welded. Throws
+     * InputError, see SpatialField::function(). */
     template <int dim>
     std::vector<Tensor<1, dim - 1>>
     prescribed_slip_rates(const std::vector<Point<dim>> &points,
                           const std::string             &section) const;
+
+    /** Time in which a prescribed slip rate grows from zero, s. */
+    double
+    slip_rate_ramp_length() const;
 
     /** Throws InputError unless all that this kind of friction uses has a value
      * at some points. */
@@ -85,16 +82,11 @@ namespace StickSlip
      * scene in @p dim dimensions. */
     void
     add_parameters(ParameterHandler &prm, const unsigned int dim);
+
+  private:
+    const LawKind                      *chosen_kind;
+    std::map<std::string, SpatialField> parameters;
   };
-
-
-
-  inline bool
-  FrictionParameters::has_prescribed_slip() const
-  {
-    return kind == FrictionKind::welded ||
-           kind == FrictionKind::prescribed_slip_rate;
-  }
 } // namespace StickSlip
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef stickslip_friction_rate_and_state_h
 #define stickslip_friction_rate_and_state_h
 
-#include <stickslip/friction/friction_law.h>
+#include <stickslip/friction/law_registry.h>
 
 namespace StickSlip
 {
@@ -57,6 +57,11 @@ namespace StickSlip
     RateAndStateLaw(const RateAndStateParameters &parameters,
                     const Regularisation          regularisation);
 
+    explicit RateAndStateLaw(const LawValues &values);
+
+    static LawKind
+    kind();
+
     /**
      * ln(Vmin / (1 m/s)), where
      *
@@ -69,7 +74,7 @@ namespace StickSlip
     log_minimal_slip_rate(const double alpha) const;
 
     /**
-     * The same as log_minimal_slip_rate().
+     * Data of a node: log_minimal_slip_rate().
      */
     double
     node_data(const double alpha) const override;
@@ -124,13 +129,6 @@ namespace StickSlip
     scaled_coefficient(const double V,
                        const double log_minimal_slip_rate) const;
 
-    /**
-     * d mu / d alpha at fixed V: b where the truncated form is active and zero
-     * elsewhere, b tanh(z) for the arcsinh form.
-     */
-    double
-    state_derivative(const double V, const double log_minimal_slip_rate) const;
-
     const RateAndStateParameters &
     get_parameters() const;
 
@@ -143,6 +141,21 @@ namespace StickSlip
 
     /** ln V0 - (mu0 + b ln(V0/L)) / a: ln Vmin at alpha = 0. */
     const double log_minimal_slip_rate_at_zero;
+  };
+
+
+
+  /**
+   * Rate-and-state friction without a state, mu0 + a ln(V/V0), as a kind of its
+   * own: b is zero.
+   */
+  class VelocityStrengtheningLaw : public RateAndStateLaw
+  {
+  public:
+    explicit VelocityStrengtheningLaw(const LawValues &values);
+
+    static LawKind
+    kind();
   };
 } // namespace StickSlip
 

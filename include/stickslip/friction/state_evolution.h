@@ -4,84 +4,118 @@
 #ifndef stickslip_friction_state_evolution_h
 #define stickslip_friction_state_evolution_h
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace StickSlip
 {
   /**
-   * Evolution of the state alpha = ln(theta / 1 s).
-   */
-  enum class StateLaw
-  {
-    /** Dieterich: alpha' = exp(-alpha) - V/L. */
-    aging,
-    /** Ruina: alpha' = -(V/L) (alpha + ln(V/L)). */
-    slip
-  };
-
-  /**
-   * The update of the state over one step.
+   * Update of the state over one step.
    */
   enum class StateUpdate
   {
-    /** Exact solution for the step's mean slip rate; second order. */
+    /** Exact solution for the mean slip rate of the step; second order. */
     exponential,
     /** Variational implicit Euler step at the final slip rate; first order. */
     implicit_euler
   };
 
   /**
-   * alpha', 1/s, at the slip rate V >= 0 (m/s) with the characteristic slip L
-   * (m).
+   * Law of evolution of the state alpha = ln(theta / 1 s) at a point: the
+   * negative derivative of a convex function psi of alpha at each slip rate.
    */
-  double
-  state_rate(const StateLaw law,
-             const double   alpha,
-             const double   V,
-             const double   L);
+  class StateLaw
+  {
+  public:
+    virtual ~StateLaw() = default;
+
+    /**
+     * alpha', 1/s, at the slip rate V >= 0 (m/s) with the characteristic slip L
+     * (m).
+     */
+    virtual double
+    rate(const double alpha, const double V, const double L) const = 0;
+
+    /**
+     * State at the end of a step of length @p tau >= 0 (s) with the slip rate
+     * V >= 0 (m/s), from @p alpha at its beginning: the exact solution at
+     * constant V, or the minimiser alpha1 of (alpha1 - alpha)^2 / (2 tau) +
+     * psi(alpha1; V) of an implicit Euler step. Neither theta nor its inverse
+     * is ever formed, so that any state may occur.
+     */
+    virtual double
+    updated(const StateUpdate update,
+            const double      alpha,
+            const double      V,
+            const double      L,
+            const double      tau) const = 0;
+  };
+
+
 
   /**
-   * The state at which alpha' = 0, ln(L/V) for both laws. Infinity at V = 0.
+   * Dieterich's law, alpha' = exp(-alpha) - V/L. With g = V tau / L:
+   *
+   *   exponential:     theta1 = theta0 exp(-g) + tau (1 - exp(-g)) / g,
+   *   implicit Euler:  alpha1 - alpha0 = tau (exp(-alpha1) - V/L), by
+   *                    wright_omega().
    */
-  double
-  steady_state(const double V, const double L);
+  class AgingLaw : public StateLaw
+  {
+  public:
+    double
+    rate(const double alpha, const double V, const double L) const override;
+
+    double
+    updated(const StateUpdate update,
+            const double      alpha,
+            const double      V,
+            const double      L,
+            const double      tau) const override;
+  };
+
+
 
   /**
-   * The state at the end of a step of length @p tau >= 0 (s) with the slip
-   * rate V >= 0 (m/s), from @p alpha at its beginning. With g = V tau / L:
+   * Ruina's law, alpha' = -(V/L) (alpha + ln(V/L)). With g = V tau / L:
    *
-   * Exponential, the exact solution at constant V:
-   *
-   *   aging: theta1 = theta0 exp(-g) + tau (1 - exp(-g)) / g,
-   *   slip:  alpha1 + ln(V/L) = (alpha0 + ln(V/L)) exp(-g).
-   *
-   * Implicit Euler, the minimiser of (alpha1 - alpha0)^2 / (2 tau)
-   * + psi(alpha1; V), where psi is the convex function of which alpha' is the
-   * negative derivative:
-   *
-   *   aging: alpha1 - alpha0 = tau (exp(-alpha1) - V/L), by wright_omega(),
-   *   slip:  alpha1 - alpha0 = -g (alpha1 + ln(V/L)).
-   *
-   * Neither theta nor its inverse is ever formed, so that any state may occur.
+   *   exponential:     alpha1 + ln(V/L) = (alpha0 + ln(V/L)) exp(-g),
+   *   implicit Euler:  alpha1 - alpha0 = -g (alpha1 + ln(V/L)).
    */
-  double
-  updated_state(const StateLaw    law,
-                const StateUpdate update,
-                const double      alpha,
-                const double      V,
-                const double      L,
-                const double      tau);
+  class SlipLaw : public StateLaw
+  {
+  public:
+    double
+    rate(const double alpha, const double V, const double L) const override;
+
+    double
+    updated(const StateUpdate update,
+            const double      alpha,
+            const double      V,
+            const double      L,
+            const double      tau) const override;
+  };
+
+
 
   /**
-   * chi = -d alpha1 / d ln V for the result alpha1 of updated_state() with the
-   * same arguments, dimensionless. It is zero at V = 0 and tends to 1 for
-   * V tau / L -> infinity.
+   * A state law, as the entry 'State law' of a parameter file names it.
    */
-  double
-  state_sensitivity(const StateLaw    law,
-                    const StateUpdate update,
-                    const double      alpha,
-                    const double      V,
-                    const double      L,
-                    const double      tau);
+  struct StateLawKind
+  {
+    /** Word of the entry. */
+    std::string name;
+
+    /** Author of the law, for the documentation of the entry. */
+    std::string description;
+
+    std::shared_ptr<const StateLaw> law;
+  };
+
+  /** All state laws that a scene may name; the first one is the default. */
+  const std::vector<StateLawKind> &
+  state_laws();
 } // namespace StickSlip
 
 #endif

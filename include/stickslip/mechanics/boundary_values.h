@@ -4,13 +4,11 @@
 #ifndef stickslip_mechanics_boundary_values_h
 #define stickslip_mechanics_boundary_values_h
 
-#include <deal.II/base/function_parser.h>
-
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/parameters/expression.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -70,9 +68,10 @@ namespace StickSlip
       std::array<bool, dim>   varies;
       std::array<double, dim> largest;
 
-      unsigned int                                          body;
-      BoundaryCondition<dim>                                condition;
-      std::array<std::unique_ptr<FunctionParser<dim>>, dim> values;
+      unsigned int           body;
+      BoundaryCondition<dim> condition;
+      /** One for each component, without the ramp. */
+      std::vector<Expression<dim>> values;
       /** The owned nodes. */
       std::vector<unsigned int> nodes;
       std::vector<Point<dim>>   points;

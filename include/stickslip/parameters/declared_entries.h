@@ -14,7 +14,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * What a handler knows of one entry.
+   * One entry, as a handler knows it.
    */
   struct DeclaredEntry
   {
@@ -24,10 +24,10 @@ namespace StickSlip
     std::string name;
     std::string default_value;
 
-    /** What is allowed, in words. */
+    /** Allowed values, in words. */
     std::string allowed;
 
-    /** Whether it sets a SpatialField. */
+    /** True if the entry sets a SpatialField. */
     bool is_field = false;
 
     std::string documentation;

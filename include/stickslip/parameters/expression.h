@@ -6,48 +6,45 @@
 
 #include <deal.II/base/point.h>
 
-#include <functional>
-#include <map>
+#include <memory>
 #include <string>
 
 namespace StickSlip
 {
   using namespace dealii;
 
-  /** The variables of an expression: x, y (z), and t where it depends on
-   * time, in the form that FunctionParser takes. */
-  template <int dim>
-  std::string
-  expression_variables(const bool depends_on_time);
-
-  /** The constants that an expression may use: pi. */
-  std::map<std::string, double>
-  expression_constants();
-
   /**
-   * The function of position that a muParser expression in x, y (z) stands for.
-   * The expression is read once; values may be infinite or no numbers.
+   * A function of the position and, where wanted, of the time, given by a
+   * muParser expression in x, y (z), in m, and t, in s. It is read once, when
+   * the object is made; copies share it.
    *
-   * Throws InputError saying why where the expression cannot be read, here or
-   * at the first evaluation.
+   * Besides what muParser has, there are the constant pi and the functions
+   * if(condition, then, else), int, ceil, floor, pow, sec, csc, cot, erf and
+   * erfc. Spaces may stand between the name of a function and its parenthesis.
    */
   template <int dim>
-  std::function<double(const Point<dim> &)>
-  read_expression(const std::string &expression);
+  class Expression
+  {
+  public:
+    /** Throws InputError saying what is wrong and at which character of the
+     * @p text, unless that is one expression in x, y (z), and in t where it may
+     * depend on time. */
+    Expression(const std::string &text, const bool may_depend_on_time);
 
-  /**
-   * The value of a muParser expression in x, y (z) at one point, and in t where
-   * @p depends_on_time, as FunctionParser gives it.
-   *
-   * Throws InputError saying why where the expression cannot be read or its
-   * value is not finite. Meant for checks: each call reads the expression.
-   */
-  template <int dim>
-  double
-  evaluate_expression(const std::string &expression,
-                      const Point<dim>  &point,
-                      const bool         depends_on_time,
-                      const double       time = 0.);
+    /** The value at a point and time, which may be infinite or no number. */
+    double
+    value(const Point<dim> &point, const double time = 0.) const;
+
+    /** Value for checks. Throws InputError if it is not finite. */
+    double
+    finite_value(const Point<dim> &point, const double time = 0.) const;
+
+  private:
+    class Parser;
+
+    std::shared_ptr<Parser> parser;
+    bool                    may_depend_on_time;
+  };
 } // namespace StickSlip
 
 #endif

@@ -21,18 +21,18 @@ namespace StickSlip
     virtual bool
     match(const std::string &text) const override;
 
-    /** For declared_entries(), whatever the @p style. */
+    /** Text for declared_entries(), whatever the @p style. */
     virtual std::string
     description(const OutputStyle style = Machine) const override;
 
     virtual std::unique_ptr<PatternBase>
     clone() const override;
 
-    /** Whether this is the description() of such a pattern. */
+    /** True for the description() of such a pattern. */
     static bool
     is_described_by(const std::string &description);
 
-    /** What is allowed, in words, from the description(). */
+    /** Allowed values, in words, from the description(). */
     static std::string
     in_words(const std::string &description);
 

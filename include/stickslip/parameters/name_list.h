@@ -27,7 +27,7 @@ namespace StickSlip
     virtual bool
     match(const std::string &text) const override;
 
-    /** What is allowed, in words, whatever the @p style. */
+    /** Allowed values, in words, whatever the @p style. */
     virtual std::string
     description(const OutputStyle style = Machine) const override;
 
@@ -45,10 +45,12 @@ namespace StickSlip
   };
 
   /**
-   * The names as a list that NameList::split() takes apart.
+   * The names in one text; as it stands, a list that NameList::split() takes
+   * apart.
    */
   std::string
-  join_names(const std::vector<std::string> &names);
+  join_names(const std::vector<std::string> &names,
+             const std::string              &separator = ", ");
 } // namespace StickSlip
 
 #endif

@@ -40,18 +40,18 @@ namespace StickSlip
     NumberRange &
     at_most(const double bound);
 
-    /** Only whole numbers, written without point and exponent. */
+    /** Require whole numbers, written without point and exponent. */
     NumberRange &
     whole();
 
-    /** A list of @p n numbers. */
+    /** Require a list of @p n numbers. */
     NumberRange &
     times(const unsigned int n);
 
     virtual bool
     match(const std::string &text) const override;
 
-    /** What is allowed, in words, whatever the @p style. */
+    /** Allowed values, in words, whatever the @p style. */
     virtual std::string
     description(const OutputStyle style = Machine) const override;
 
@@ -65,7 +65,7 @@ namespace StickSlip
     values(const std::string &text);
 
     /**
-     * Whether @p x is finite and between the bounds.
+     * True if @p x is finite and between the bounds.
      */
     bool
     contains(const double x) const;

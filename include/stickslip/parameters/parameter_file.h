@@ -20,11 +20,11 @@ namespace StickSlip
     std::string entry;
     std::string value;
 
-    /** Where it comes from, such as "a.prm, line 3" or "--set". */
+    /** Origin, such as "a.prm, line 3" or "--set". */
     std::string origin;
 
-    /** The folder of the file it comes from, in which names of files that the
-     * value may have begin; empty for the current folder. */
+    /** Folder in which names of files that the value may have begin, that of
+     * the file of origin; empty for the current folder. */
     std::string folder;
 
     /** Sections and entry joined by '/'. */

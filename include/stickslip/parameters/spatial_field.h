@@ -28,12 +28,12 @@ namespace StickSlip
     /**
      * Become what the text of a parameter file says. Throws InputError if it
      * names a table that cannot be read; whether an expression can be read
-     * shows at the first evaluation.
+     * shows in function().
      */
     void
     set(const std::string &text);
 
-    /** The same field as a text. */
+    /** Text that gives the same field. */
     std::string
     text() const;
 
@@ -54,16 +54,17 @@ namespace StickSlip
     /**
      * The field as a function of the position (m), for many evaluations.
      *
-     * It throws InputError where the expression cannot be read or the value is
-     * out of range; the message names the entry in the subsection
-     * @p section, the position and the value. The function itself throws if
-     * the table depends on a coordinate that this dimension does not have.
+     * Throws InputError where the expression cannot be read or the table
+     * depends on a coordinate that this dimension does not have. The function
+     * that is returned throws InputError where the value is out of range; the
+     * message names the entry in the subsection @p section, the position and
+     * the value.
      */
     template <int dim>
     std::function<double(const Point<dim> &)>
     function(const std::string &section) const;
 
-    /** The values at some points; throws as function() does. */
+    /** Values at some points; throws as function() and what it returns. */
     template <int dim>
     std::vector<double>
     values(const std::vector<Point<dim>> &points,

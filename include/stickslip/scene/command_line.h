@@ -10,7 +10,7 @@
 namespace StickSlip
 {
   /**
-   * What the user asks of the program.
+   * Task that the user gives to the program.
    */
   struct CommandLine
   {
@@ -36,7 +36,7 @@ namespace StickSlip
   parse_command_line(const std::vector<std::string> &arguments);
 
   /**
-   * How the program is called.
+   * Text that says how the program is called.
    */
   std::string
   command_line_help();

@@ -9,10 +9,10 @@
 namespace StickSlip
 {
   /**
-   * Check what no single entry shows: that lower bounds are below upper ones,
-   * that neighbouring bodies face each other, that the lowest body is held
-   * along every axis, and that all expressions can be evaluated on their side
-   * or fault and give values that make sense there.
+   * Check all that no single entry shows: that lower bounds are below upper
+   * ones, that neighbouring bodies face each other, that the lowest body is
+   * held along every axis, and that all expressions can be evaluated on their
+   * side or fault and give values that make sense there.
    *
    * Throws InputError with one sentence on the first contradiction. The bodies
    * must have been stacked.

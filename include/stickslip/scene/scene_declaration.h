@@ -35,7 +35,7 @@ namespace StickSlip
   declare_scene(ParameterHandler &prm, SceneParameters<dim> &scene);
 
   /**
-   * What the bodies' geometries take from each other and from the scene: each
+   * Complete the bodies' geometries from each other and from the scene: each
    * body lies on top of the one below, and all are periodic along the same
    * axes.
    */

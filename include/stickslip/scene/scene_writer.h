@@ -21,7 +21,7 @@ namespace StickSlip
   write_parameters(const SceneParameters<dim> &scene,
                    const std::string          &file_name);
 
-  /** The same to a stream. */
+  /** Write the parameter file to a stream. */
   template <int dim>
   void
   write_parameters(const SceneParameters<dim> &scene, std::ostream &out);

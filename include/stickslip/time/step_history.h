@@ -17,11 +17,13 @@ namespace StickSlip
    *
    * - state: e = (alpha - AB2) / (3 (1 + h1/h)), where AB2 is the
    *   Adams-Bashforth prediction from the last two state rates;
-   * - traction: e = |m - extrapolated| / max(a, b) * c0 / (cc + c0), where m is
-   *   the friction coefficient times the direction of the slip rate and times
-   *   the normal stress over its mean on the fault, c0 is the error constant of
-   *   the step, h^3/12 with inertia and that of the backward differences
-   *   (backward_differences.h) without, and cc = h (h + h1) (h + h1 + h2) / 6;
+   * - traction: e = |m - extrapolated| / FrictionLaw::rate_scale() * c0 / (cc +
+   *   c0), where m is the friction coefficient times the direction of the slip
+   *   rate and times the normal stress over its mean on the fault; rate_scale()
+   *   is max(a, b) of rate and state, and where it is zero
+   *   the traction does not count; c0 is the error constant of the step, h^3/12
+   * with inertia and that of the backward differences (backward_differences.h)
+   * without, and cc = h (h + h1) (h + h1 + h2) / 6;
    * - slip rate: e = |V - extrapolated| / max(the largest V of the fault, L/h)
    *   * c0 / (cc + c0).
    *
@@ -73,9 +75,10 @@ namespace StickSlip
     Prediction<dim>
     predict(const SystemState<dim> &state, const double tau) const;
 
-    /** The L2(faults) norm of the errors of a step from the newest record to
-     * @p now, in m^((d-1)/2); of the state alone before three steps have been
-     * taken. */
+    /** Error of a step from the newest record to @p now, in m^((d-1)/2): the
+     * L2(faults) norm of the error of the state and, node by node, of the
+     * smaller one of the errors of traction and slip rate. Of the state alone
+     * before three steps have been taken. */
     double
     estimate_error(const Record &now) const;
 

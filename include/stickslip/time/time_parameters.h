@@ -82,10 +82,12 @@ namespace StickSlip
 
     StepSizeControl control = StepSizeControl::embedded;
 
-    /** Tolerance of the embedded control (state and traction, L2(fault)). */
+    /** Tolerance of the embedded control, the largest
+     * StepHistory::estimate_error() of a step, m^((d-1)/2). */
     double tolerance = 3e-6;
 
-    /** Threshold of the step doubling control (state, L2(fault)). */
+    /** Threshold of the step doubling control: largest L2(faults) norm of the
+     * difference of ln theta between one step and two, m^((d-1)/2). */
     double doubling_threshold = 1e-5;
 
     /** Step sizes, s. The step sizes used are largest_step 2^-k. */

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/friction/common_parameters.h>
+#include <stickslip/friction/rate_and_state.h>
+#include <stickslip/friction/state_evolution.h>
+#include <stickslip/parameters/name_list.h>
+
+namespace StickSlip
+{
+  LawParameter
+  CommonParameters::direct_effect()
+  {
+    return LawParameter::field(
+      "a",
+      "Direct effect a of the slip rate in mu = mu0 + a ln(V/V0) + b "
+      "ln(V0 theta/L)",
+      "1",
+      NumberRange().above(0),
+      RateAndStateParameters().a);
+  }
+
+
+
+  LawParameter
+  CommonParameters::reference_friction()
+  {
+    return LawParameter::field(
+      "Reference friction coefficient",
+      "Friction coefficient mu0 at the reference slip rate",
+      "1",
+      NumberRange().at_least(0),
+      RateAndStateParameters().reference_friction);
+  }
+
+
+
+  LawParameter
+  CommonParameters::reference_slip_rate()
+  {
+    return LawParameter::field("Reference slip rate",
+                               "Reference slip rate V0",
+                               "m/s",
+                               NumberRange().above(0),
+                               RateAndStateParameters().reference_slip_rate);
+  }
+
+
+
+  LawParameter
+  CommonParameters::characteristic_slip()
+  {
+    return LawParameter::field(
+      "Characteristic slip",
+      "Slip L over which the state evolves; without a state, the slip that "
+      "matters to the size of the time steps",
+      "m",
+      NumberRange().above(0),
+      RateAndStateParameters().characteristic_slip);
+  }
+
+
+
+  LawParameter
+  CommonParameters::state_law()
+  {
+    std::vector<std::string> names, descriptions;
+    for (const StateLawKind &kind : state_laws())
+      {
+        names.push_back(kind.name);
+        descriptions.push_back("the " + kind.name + " law (" +
+                               kind.description + ")");
+      }
+    return LawParameter::choice("State law",
+                                "Evolution of the state theta: " +
+                                  join_names(descriptions, " or "),
+                                names);
+  }
+
+
+
+  LawParameter
+  CommonParameters::initial_state()
+  {
+    return LawParameter::field("Initial state",
+                               "State theta at the start",
+                               "s",
+                               NumberRange().above(0),
+                               1.);
+  }
+
+
+
+  LawParameter
+  CommonParameters::slip_rate(const unsigned int axis)
+  {
+    const std::string name(1, "xy"[axis]);
+    LawParameter      parameter =
+      LawParameter::field("Slip rate along " + name,
+                          "Prescribed slip rate, that of the upper side "
+                          "relative to the lower one along " +
+                            name,
+                          "m/s",
+                          NumberRange(),
+                          0.);
+    parameter.least_dimension = 2 + axis;
+    return parameter;
+  }
+
+
+
+  LawParameter
+  CommonParameters::slip_rate_ramp_length()
+  {
+    return LawParameter::number("Slip rate ramp length",
+                                "Time in which the prescribed slip rate grows "
+                                "smoothly from zero, by half a cosine (0: it "
+                                "is there from the start)",
+                                "s",
+                                NumberRange().at_least(0),
+                                0.);
+  }
+} // namespace StickSlip

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/friction/law_parameter.h>
+#include <stickslip/parameters/entries.h>
+#include <stickslip/parameters/name_list.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace StickSlip
+{
+  LawParameter
+  LawParameter::field(const std::string &entry,
+                      const std::string &documentation,
+                      const std::string &unit,
+                      const NumberRange &range,
+                      const double       default_value)
+  {
+    LawParameter parameter;
+    parameter.entry         = entry;
+    parameter.documentation = documentation;
+    parameter.unit          = unit;
+    parameter.range         = range;
+    parameter.default_value = default_value;
+    return parameter;
+  }
+
+
+
+  LawParameter
+  LawParameter::number(const std::string &entry,
+                       const std::string &documentation,
+                       const std::string &unit,
+                       const NumberRange &range,
+                       const double       default_value)
+  {
+    LawParameter parameter =
+      field(entry, documentation, unit, range, default_value);
+    parameter.varies = false;
+    return parameter;
+  }
+
+
+
+  LawParameter
+  LawParameter::choice(const std::string              &entry,
+                       const std::string              &documentation,
+                       const std::vector<std::string> &words)
+  {
+    LawParameter parameter;
+    parameter.entry         = entry;
+    parameter.documentation = documentation;
+    parameter.words         = words;
+    parameter.varies        = false;
+    return parameter;
+  }
+
+
+
+  std::string
+  LawParameter::full_documentation() const
+  {
+    const std::string with_unit = !words.empty() ? "" :
+                                  unit == "1"    ? ", without unit" :
+                                                   ", in " + unit;
+    return documentation + with_unit + ".";
+  }
+
+
+
+  std::string
+  LawParameter::mistake() const
+  {
+    if (entry.empty())
+      return "has no name";
+    if (documentation.empty())
+      return "has no documentation";
+    if (!words.empty())
+      return "";
+    if (unit.empty())
+      return "has no unit; a number without unit has the unit '1'";
+    if (!range.contains(default_value))
+      return "has the default value " + shortest_form(default_value) +
+             ", but must be " + range.description();
+    return "";
+  }
+
+
+
+  void
+  LawParameter::declare(ParameterHandler &prm, SpatialField &value) const
+  {
+    if (varies)
+      add_field(prm, entry, value, range, full_documentation());
+    else if (words.empty())
+      {
+        prm.declare_entry(entry, value.text(), range, full_documentation());
+        prm.add_action(entry,
+                       [&value](const std::string &text) { value.set(text); });
+      }
+    else
+      {
+        prm.declare_entry(entry,
+                          words.at(static_cast<unsigned int>(value.constant())),
+                          Patterns::Selection(join_names(words, "|")),
+                          full_documentation());
+        prm.add_action(entry, [&value, words = words](const std::string &text) {
+          value = std::find(words.begin(), words.end(), text) - words.begin();
+        });
+      }
+  }
+
+
+
+  bool
+  operator==(const LawParameter &one, const LawParameter &other)
+  {
+    return one.entry == other.entry &&
+           one.documentation == other.documentation && one.unit == other.unit &&
+           one.range.description() == other.range.description() &&
+           one.default_value == other.default_value &&
+           one.varies == other.varies && one.words == other.words &&
+           one.least_dimension == other.least_dimension;
+  }
+
+
+
+  LawValues::LawValues(const std::vector<LawParameter> &parameters,
+                       const std::vector<double>       &values)
+    : parameters(parameters)
+    , values(values)
+  {
+    AssertDimension(parameters.size(), values.size());
+  }
+
+
+
+  double
+  LawValues::operator[](const LawParameter &parameter) const
+  {
+    for (unsigned int i = 0; i < parameters.size(); ++i)
+      if (parameters[i].entry == parameter.entry)
+        return values[i];
+    throw std::logic_error("the parameter '" + parameter.entry +
+                           "' is read, but not listed");
+  }
+
+
+
+  const std::vector<double> &
+  LawValues::all() const
+  {
+    return values;
+  }
+
+} // namespace StickSlip
