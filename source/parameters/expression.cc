@@ -23,82 +23,25 @@ namespace StickSlip
 
 
 
-    double
-    choose(const double condition, const double one, const double other)
+    /** Define the functions that muParser does not have. */
+    void
+    define_functions(mu::Parser &parser)
     {
-      return is_true(condition) ? one : other;
-    }
-
-
-
-    double
-    whole_part(const double x)
-    {
-      return static_cast<int>(x + (x >= 0. ? 0.5 : -0.5));
-    }
-
-
-
-    double
-    ceiling(const double x)
-    {
-      return std::ceil(x);
-    }
-
-
-
-    double
-    floor_of(const double x)
-    {
-      return std::floor(x);
-    }
-
-
-
-    double
-    power(const double x, const double exponent)
-    {
-      return std::pow(x, exponent);
-    }
-
-
-
-    double
-    secant(const double x)
-    {
-      return 1. / std::cos(x);
-    }
-
-
-
-    double
-    cosecant(const double x)
-    {
-      return 1. / std::sin(x);
-    }
-
-
-
-    double
-    cotangent(const double x)
-    {
-      return 1. / std::tan(x);
-    }
-
-
-
-    double
-    error_function(const double x)
-    {
-      return std::erf(x);
-    }
-
-
-
-    double
-    complementary_error_function(const double x)
-    {
-      return std::erfc(x);
+      parser.DefineFun("if", [](double condition, double one, double other) {
+        return is_true(condition) ? one : other;
+      });
+      parser.DefineFun("int", [](double x) -> double {
+        return static_cast<int>(x + (x >= 0. ? 0.5 : -0.5));
+      });
+      parser.DefineFun("ceil", [](double x) { return std::ceil(x); });
+      parser.DefineFun("floor", [](double x) { return std::floor(x); });
+      parser.DefineFun("pow",
+                       [](double x, double n) { return std::pow(x, n); });
+      parser.DefineFun("sec", [](double x) { return 1. / std::cos(x); });
+      parser.DefineFun("csc", [](double x) { return 1. / std::sin(x); });
+      parser.DefineFun("cot", [](double x) { return 1. / std::tan(x); });
+      parser.DefineFun("erf", [](double x) { return std::erf(x); });
+      parser.DefineFun("erfc", [](double x) { return std::erfc(x); });
     }
 
 
@@ -177,16 +120,7 @@ namespace StickSlip
             parser.DefineVar(std::string(1, "xyz"[d]), &variables[d]);
           if (may_depend_on_time)
             parser.DefineVar("t", &variables[dim]);
-          parser.DefineFun("if", choose);
-          parser.DefineFun("int", whole_part);
-          parser.DefineFun("ceil", ceiling);
-          parser.DefineFun("floor", floor_of);
-          parser.DefineFun("pow", power);
-          parser.DefineFun("sec", secant);
-          parser.DefineFun("csc", cosecant);
-          parser.DefineFun("cot", cotangent);
-          parser.DefineFun("erf", error_function);
-          parser.DefineFun("erfc", complementary_error_function);
+          define_functions(parser);
           parser.SetExpr(without_space_after_names(expression));
           // Most mistakes are found at the first evaluation only.
           parser.Eval();

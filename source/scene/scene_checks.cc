@@ -4,6 +4,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/scene_checks.h>
@@ -57,6 +58,12 @@ namespace StickSlip
                   time.smallest_step,
                   "Largest step",
                   time.largest_step);
+      if (time.inertia != Inertia::dynamic &&
+          time.scheme == TimeScheme::generalised_alpha)
+        throw InputError(
+          naming("Time/Scheme", "generalised alpha") +
+          ": is for 'Time/Inertia' = 'dynamic'; without inertia there are no "
+          "oscillations to damp, and each step takes backward differences.");
       if (time.control == StepSizeControl::constant)
         return;
       check_order("Time",
@@ -289,10 +296,15 @@ namespace StickSlip
                           return region.friction.has_state();
                         }))
           return;
+      std::vector<std::string> with_state;
+      for (const LawKind &kind : law_registry().kinds())
+        if (kind.has_state)
+          with_state.push_back("'" + kind.name + "'");
       throw InputError(
         naming("Time/Step size control", "step doubling") +
         ": compares the states of two small steps and a large one, and no fault "
-        "has a 'Friction' with a state; choose embedded or constant.");
+        "has 'Friction' = " +
+        join_names(with_state, " or ") + "; choose embedded or constant.");
     }
 
 
@@ -435,7 +447,8 @@ namespace StickSlip
       throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
     const std::map<LinearCorrectionType, std::string> names = {
       {LinearCorrectionType::umfpack, "UMFPACK"},
-      {LinearCorrectionType::mumps, "MUMPS"}};
+      {LinearCorrectionType::mumps, "MUMPS"},
+      {LinearCorrectionType::amg, "AMG"}};
     const auto serial = names.find(scene.tnnmg.linear_correction);
     if (serial != names.end())
       throw InputError(naming("TNNMG/Linear correction", serial->second) +
