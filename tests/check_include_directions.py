@@ -30,8 +30,8 @@ ALLOWED = {
         "faults", "mechanics", "mortar", "mesh", "multigrid", "algebra", "base",
     ),
     "time": (
-        "problem", "faults", "friction", "parameters", "condensed", "tnnmg",
-        "algebra", "base",
+        "problem", "faults", "friction", "mechanics", "parameters", "condensed",
+        "tnnmg", "algebra", "base",
     ),
     "output": ("parameters", "mesh", "algebra", "base"),
     "scene": (

@@ -128,7 +128,7 @@ namespace
           Reference::FrictionCurve curve;
           curve.is_truncated = regularisation == Regularisation::truncated;
           curve.load_times_a =
-            contact.coupling.weight[k] * faults.normal_stress()[k] * law.a;
+            contact.coupling.weight[k] * state.normal_stress[k] * law.a;
           curve.log_min =
             std::log(law.reference_slip_rate) -
             (law.reference_friction +
@@ -150,7 +150,7 @@ namespace
         if (faults.node(k) == node)
           {
             weights.push_back(contact.coupling.weight[k]);
-            stresses.push_back(faults.normal_stress()[k]);
+            stresses.push_back(state.normal_stress[k]);
             alpha.push_back(state.alpha[k]);
           }
     FaultFriction<2> friction(
@@ -160,9 +160,10 @@ namespace
       {std::make_shared<RateAndStateLaw>(law, regularisation)},
       std::vector<unsigned int>(nodes.size(), 0));
     friction.set_state(alpha);
-    problem.combine(Newmark::operator_coefficients(step_size));
-    const NodalVector b = Newmark::right_hand_side(problem, state, step_size);
-    NodalVector       w = problem.make_vector(), u = state.velocity;
+    problem.combine(Newmark<2>().operator_coefficients(step_size));
+    const NodalVector b =
+      Newmark<2>().right_hand_side(problem, state, step_size);
+    NodalVector w = problem.make_vector(), u = state.velocity;
     problem.boundary_values().set_velocities(state.time + step_size, u);
     problem.to_jumps(w, u);
     for (unsigned int i = 0; i < w.locally_owned_size() / 2; ++i)

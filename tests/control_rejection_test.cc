@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/time/embedded_control.h>
 
 #include <sstream>
 
@@ -66,7 +65,7 @@ namespace
   {
     try
       {
-        scene.controller->advance(scene.state);
+        scene.controller->advance(scene.state, scene.memory);
       }
     catch (const StepSizeTooSmall &error)
       {
@@ -86,7 +85,7 @@ TEST(Rejection, FailedIterationLeavesTheStateUntouched)
       SteppingScene scene(creeping_bodies, control_overrides(control));
       scene.advance_until(0.3);
       const SystemState<2> before     = scene.state;
-      const auto           n_rejected = scene.controller->n_rejected();
+      const auto           n_rejected = scene.memory.n_rejected;
 
       // One iteration never shows that rate and state agree.
       const auto iterations = scene.scene.time.max_rate_state_iterations;
@@ -98,7 +97,7 @@ TEST(Rejection, FailedIterationLeavesTheStateUntouched)
       EXPECT_NE(message.find("did not settle within 1 iterations"),
                 std::string::npos)
         << message;
-      EXPECT_GT(scene.controller->n_rejected(), n_rejected);
+      EXPECT_GT(scene.memory.n_rejected, n_rejected);
       EXPECT_TRUE(same_bits(scene.state, before));
 
       // The run could go on from there.
@@ -161,10 +160,10 @@ TEST(Rejection, AttemptWithAnotherSizeEqualsAFreshStart)
       scene.advance_until(0.4);
       ASSERT_EQ(scene.state.time, time);
       const SystemState<2> before     = scene.state;
-      const auto           n_rejected = scene.controller->n_rejected();
+      const auto           n_rejected = scene.memory.n_rejected;
       const StepResult<2>  restarted =
-        scene.controller->advance(scene.state).front();
-      EXPECT_GT(scene.controller->n_rejected(), n_rejected);
+        scene.controller->advance(scene.state, scene.memory).front();
+      EXPECT_GT(scene.memory.n_rejected, n_rejected);
       EXPECT_LT(restarted.step_size, tau);
 
       // With the same past, and made to take the smaller step at once by the
@@ -173,10 +172,10 @@ TEST(Rejection, AttemptWithAnotherSizeEqualsAFreshStart)
       SteppingScene fresh   = scene_undefined_at(control, 9., 1e-3 * tau);
       fresh.advance_until(0.4);
       fresh.scene.time.end_time    = time + n_steps * restarted.step_size;
-      const auto          n_before = fresh.controller->n_rejected();
+      const auto          n_before = fresh.memory.n_rejected;
       const StepResult<2> first =
-        fresh.controller->advance(fresh.state).front();
-      EXPECT_EQ(fresh.controller->n_rejected(), n_before);
+        fresh.controller->advance(fresh.state, fresh.memory).front();
+      EXPECT_EQ(fresh.memory.n_rejected, n_before);
       EXPECT_EQ(first.step_size, restarted.step_size);
       EXPECT_TRUE(same_bits(first.state, restarted.state));
       EXPECT_EQ(first.counts.multigrid_cycles,
@@ -197,10 +196,10 @@ TEST(Rejection, EmbeddedControlForgetsTheFailedAttempt)
   SteppingScene scene = scene_undefined_at("embedded", time + tau, 1e-3 * tau);
   scene.advance_until(0.4);
   ASSERT_EQ(scene.state.time, time);
-  const auto          n_rejected = scene.controller->n_rejected();
+  const auto          n_rejected = scene.memory.n_rejected;
   const StepResult<2> restarted =
-    scene.controller->advance(scene.state).front();
-  EXPECT_EQ(scene.controller->n_rejected(), n_rejected + 1);
+    scene.controller->advance(scene.state, scene.memory).front();
+  EXPECT_EQ(scene.memory.n_rejected, n_rejected + 1);
   EXPECT_EQ(restarted.step_size, tau / 2.);
 
   // With the same past, and made to take the smaller step at once by the end
@@ -208,8 +207,9 @@ TEST(Rejection, EmbeddedControlForgetsTheFailedAttempt)
   SteppingScene fresh = scene_undefined_at("embedded", 9., 1e-3 * tau);
   fresh.advance_until(0.4);
   fresh.scene.time.end_time = time + tau / 2.;
-  const StepResult<2> first = fresh.controller->advance(fresh.state).front();
-  EXPECT_EQ(fresh.controller->n_rejected(), n_rejected);
+  const StepResult<2> first =
+    fresh.controller->advance(fresh.state, fresh.memory).front();
+  EXPECT_EQ(fresh.memory.n_rejected, n_rejected);
   EXPECT_EQ(first.step_size, tau / 2.);
   EXPECT_TRUE(same_bits(first.state, restarted.state));
 

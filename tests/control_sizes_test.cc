@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/time/embedded_control.h>
 
 #include <cmath>
 #include <sstream>
@@ -45,21 +44,19 @@ namespace
     std::ostringstream text;
     text.precision(17);
     text << tau;
-    const std::string         step_size = text.str();
-    SteppingScene             scene(creeping_bodies,
+    const std::string step_size = text.str();
+    SteppingScene     scene(creeping_bodies,
                         {"Time/Largest step=" + step_size,
-                                     "Time/Initial step=" + step_size,
-                                     "Time/Tolerance=1e9",
-                                     "Boundary conditions/upper top/x value=4e-3*t^4",
-                                     "Boundary conditions/upper top/Ramp length=0",
-                                     "Time/Rate-state tolerance=1e-12",
-                                     "TNNMG/Tolerance=1e-12"});
-    const EmbeddedControl<2> &control =
-      dynamic_cast<const EmbeddedControl<2> &>(*scene.controller);
+                             "Time/Initial step=" + step_size,
+                             "Time/Tolerance=1e9",
+                             "Boundary conditions/upper top/x value=4e-3*t^4",
+                             "Boundary conditions/upper top/Ramp length=0",
+                             "Time/Rate-state tolerance=1e-12",
+                             "TNNMG/Tolerance=1e-12"});
     while (scene.state.time < 1.)
       EXPECT_EQ(scene.advance().front().step_size, tau);
     EXPECT_EQ(scene.state.time, 1.);
-    return control.estimated_error();
+    return scene.memory.last_error;
   }
 
 
@@ -70,11 +67,7 @@ namespace
   rebuild_contact(SteppingScene &scene)
   {
     scene.problem.build_contact(scene.problem.make_vector());
-    scene.faults = FaultNodes<2>(scene.problem.jump_basis(),
-                                 scene.problem.hierarchy().finest().nodes,
-                                 scene.faults.laws(),
-                                 scene.faults.normal_stress());
-    scene.step->reinit();
+    scene.prepare();
   }
 } // namespace
 
@@ -139,7 +132,7 @@ TEST(StepSizes, ConstantStepsThatDivideTheRunAreAllEqual)
   for (const StepResult<2> &step : steps)
     EXPECT_NEAR(step.step_size, 0.1, 1e-13);
   EXPECT_DOUBLE_EQ(scene.state.time, 2.);
-  EXPECT_EQ(scene.step->n_steps(), 20u);
+  EXPECT_EQ(scene.memory.n_solved, 20u);
 }
 
 
@@ -184,15 +177,15 @@ TEST(StepDoubling, TakesThreeSolvesAndReusesTheFirstAfterARejection)
   while (scene.state.time < 1.)
     {
       const double        start    = scene.state.time;
-      const unsigned long solved   = scene.step->n_steps();
-      const unsigned int  rejected = scene.controller->n_rejected();
+      const unsigned long solved   = scene.memory.n_solved;
+      const unsigned int  rejected = scene.memory.n_rejected;
       const auto          pair     = scene.advance();
-      const unsigned int  n        = scene.controller->n_rejected() - rejected;
+      const unsigned int  n        = scene.memory.n_rejected - rejected;
       ASSERT_EQ(pair.size(), 2u);
       EXPECT_EQ(pair[0].step_size, pair[1].step_size);
       EXPECT_EQ(pair[0].state.time, start + pair[0].step_size);
       EXPECT_EQ(pair[1].state.time, pair[0].state.time + pair[1].step_size);
-      EXPECT_EQ(scene.step->n_steps() - solved, 3u + 2u * n);
+      EXPECT_EQ(scene.memory.n_solved - solved, 3u + 2u * n);
       ++(n > 0 ? n_with_rejection : n_without);
     }
   EXPECT_GT(n_with_rejection, 2u);
@@ -240,10 +233,10 @@ TEST(StepDoubling, DoublesWhereALongerStepIsExpectedToPass)
   while (scene.state.time < 1.)
     {
       const SystemState<2> before   = scene.state;
-      const unsigned int   rejected = scene.controller->n_rejected();
+      const unsigned int   rejected = scene.memory.n_rejected;
       const auto           pair     = scene.advance();
       const double         tau      = pair[0].step_size;
-      const bool is_first_attempt = scene.controller->n_rejected() == rejected;
+      const bool is_first_attempt   = scene.memory.n_rejected == rejected;
       if (++n_pairs > 1 && is_first_attempt &&
           tau < scene.scene.time.largest_step)
         {
@@ -288,8 +281,7 @@ TEST(EmbeddedControl, HistorySurvivesARebuiltContactMapping)
   // neither their size nor their prediction.
   rebuild_contact(rebuilt);
   const auto estimate = [](const SteppingScene &scene) {
-    return dynamic_cast<const EmbeddedControl<2> &>(*scene.controller)
-      .estimated_error();
+    return scene.memory.last_error;
   };
   for (unsigned int i = 0; i < 4; ++i)
     {

@@ -88,6 +88,7 @@ namespace
       simulation.advance();
     return make_fault_snapshots(simulation.state(),
                                 simulation.fault_nodes(),
+                                simulation.node_laws(),
                                 simulation.spatial_problem().jump_basis(),
                                 {"fault"})
       .front();

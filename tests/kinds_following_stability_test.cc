@@ -135,12 +135,8 @@ namespace
   follow(SteppingScene &scene)
   {
     scene.state.contact_pressure.assign(scene.state.slip_rate.size(), 0.);
-    scene.step = std::make_unique<RateStateStep<2>>(
-      scene.problem,
-      scene.faults,
-      scene.scene.time,
-      scene.scene.tnnmg,
-      FollowingStress<2>({true}, scene.faults, scene.state.contact_pressure));
+    scene.prepare(
+      FollowingStress<2>({true}, scene.faults, scene.state.normal_stress));
   }
 
 

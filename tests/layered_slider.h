@@ -87,8 +87,8 @@ namespace StickSlip::Tests
         }
       problem.to_nodal(state.displacement, w);
 
-      problem.combine(Newmark::operator_coefficients(tau));
-      return Newmark::right_hand_side(problem, state, tau);
+      problem.combine(Newmark<dim>().operator_coefficients(tau));
+      return Newmark<dim>().right_hand_side(problem, state, tau);
     }
 
     /** Zero but for what is prescribed. */

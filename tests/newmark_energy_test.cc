@@ -61,12 +61,12 @@ namespace
     NodalVector w     = problem.make_vector();
     problem.to_jumps(w, from.velocity);
     solve_linear(problem,
-                 Newmark::operator_coefficients(tau),
+                 Newmark<2>().operator_coefficients(tau),
                  stuck_mask(problem.hierarchy()),
-                 Newmark::right_hand_side(problem, from, tau),
+                 Newmark<2>().right_hand_side(problem, from, tau),
                  w);
     problem.to_nodal(to.velocity, w);
-    Newmark::complete(to, from, tau);
+    Newmark<2>().complete(to, from, tau);
     return to;
   }
 

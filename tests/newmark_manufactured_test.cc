@@ -181,7 +181,7 @@ namespace
         {
           SystemState<2> to = state;
           to.time           = state.time + tau;
-          NodalVector rhs   = Newmark::right_hand_side(problem, state, tau);
+          NodalVector rhs   = Newmark<2>().right_hand_side(problem, state, tau);
           rhs += problem.to_dual(body_force(to.time));
           scene.boundary.set_velocities(to.time, to.velocity);
           NodalVector w = problem.make_vector();
@@ -190,12 +190,12 @@ namespace
             for (unsigned int c = 0; c < 2; ++c)
               w.local_element(p * 2 + c) = 0.;
           solve_linear(problem,
-                       Newmark::operator_coefficients(tau),
+                       Newmark<2>().operator_coefficients(tau),
                        stuck_mask(levels),
                        rhs,
                        w);
           problem.to_nodal(to.velocity, w);
-          Newmark::complete(to, state, tau);
+          Newmark<2>().complete(to, state, tau);
           state = to;
         }
     }

@@ -53,6 +53,18 @@ TEST(OutputCadence, WritesAfterEnoughSlipAtASteadyRate)
 
 
 
+TEST(OutputCadence, GoesOnFromAState)
+{
+  OutputCadence cadence(2, 0, 0.01, 0.5), resumed(2, 0, 0.01, 0.5);
+  cadence.note_written(1., 1e-3);
+  resumed.resume(cadence.state());
+  EXPECT_FALSE(resumed.is_due(1.1, 1e-3));
+  EXPECT_TRUE(resumed.is_due(1.1, 2e-3));
+  EXPECT_TRUE(resumed.is_due(1.5, 1e-3));
+}
+
+
+
 TEST(OutputCadence, WritesWhenTheSlipRateHasChangedButNotTooOften)
 {
   OutputCadence cadence(2, 0, 0.01, 0.5);

@@ -198,6 +198,33 @@ TEST(EventCatalogue, InterpolatesInTheLogarithmOfTheSlipRate)
 
 
 
+TEST(EventCatalogue, GoesOnWithinAnEvent)
+{
+  const TemporaryFolder folder;
+  const auto            file_of = [&](const std::string &name) {
+    return folder.file(name + ".csv");
+  };
+  EventCatalogue<2> whole(file_of("whole"), {"main"}, 1e-3, 0.1),
+    begun(file_of("begun"), {"main"}, 1e-3, 0.1),
+    resumed(file_of("resumed"), {"main"}, 1e-3, 0.1);
+  const std::vector<double> rates = {
+    1e-5, 1e-2, 1e-5, 1e-4, 3e-2, 1e-2, 2e-3, 1e-5};
+  // The second event is at its peak.
+  constexpr unsigned int n_begun = 5;
+  for (unsigned int i = 0; i < rates.size(); ++i)
+    {
+      if (i == n_begun)
+        resumed.resume(begun.state());
+      for (EventCatalogue<2> *catalogue :
+           {&whole, i < n_begun ? &begun : &resumed})
+        catalogue->add(i, {evenly_slipping_fault(rates[i], i * i)});
+    }
+  EXPECT_EQ(whole.events().size(), 2u);
+  EXPECT_EQ(content_of(file_of("resumed")), content_of(file_of("whole")));
+}
+
+
+
 TEST(EventCatalogue, FindsWhereAnEventNucleatedAndItsFastestNode)
 {
   const TemporaryFolder folder;

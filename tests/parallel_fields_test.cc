@@ -34,7 +34,7 @@ TEST(ParallelFields, FrictionThatVariesIsTheSame)
   EXPECT_GT(runs.shared.spatial_problem().n_builds(), 2u);
   for (unsigned int k = 0; k < runs.one.slip.size(); ++k)
     {
-      const FaultLaw               &law      = runs.shared.fault_nodes().law(k);
+      const FaultLaw               &law      = runs.shared.node_laws()[k];
       const RateAndStateParameters &friction = friction_parameters(law);
       const double                  x        = runs.one.points[k][0];
       EXPECT_DOUBLE_EQ(friction.a, 0.02 + 0.008 * std::sin(3 * x));
@@ -67,10 +67,10 @@ TEST(ParallelFields, MaterialsThatVaryAreTheSame)
   double         largest = 0;
   for (unsigned int k = 0; k < runs.one.slip.size(); ++k)
     {
-      EXPECT_EQ(runs.shared.fault_nodes().law(k).radiation_damping,
-                runs.alone.fault_nodes().law(k).radiation_damping);
-      EXPECT_EQ(runs.shared.fault_nodes().normal_stress()[k],
-                runs.alone.fault_nodes().normal_stress()[k]);
+      EXPECT_EQ(runs.shared.node_laws()[k].radiation_damping,
+                runs.alone.node_laws()[k].radiation_damping);
+      EXPECT_EQ(runs.shared.state().normal_stress[k],
+                runs.alone.state().normal_stress[k]);
       largest = std::max(largest, std::abs(runs.one.slip_rate[k][0]));
     }
   EXPECT_GT(largest, 1e-4);

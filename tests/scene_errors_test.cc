@@ -104,14 +104,8 @@ TEST(SceneErrors, OverridesAreCheckedLikeTheFile)
 
 
 
-TEST(SceneErrors, DampedTimeSteppingIsForBodiesWithInertia)
+TEST(SceneErrors, InertiaIsOneOfThree)
 {
-  for (const std::string inertia : {"quasi-dynamic", "quasi-static"})
-    expect_error(two_bodies,
-                 {"Time/Inertia=" + inertia, "Time/Scheme=generalised alpha"},
-                 {"'Time/Scheme' = 'generalised alpha'",
-                  "'Time/Inertia' = 'dynamic'",
-                  "backward differences"});
   expect_error(two_bodies,
                {"Time/Inertia=static"},
                {"'Time/Inertia' = 'static'",

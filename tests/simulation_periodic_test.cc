@@ -118,7 +118,7 @@ TEST(Periodic, SpringSliderIsOneDimensional)
                      "Time/End time=22"}),
     MPI_COMM_WORLD);
   simulation.set_up();
-  for (const double stress : simulation.fault_nodes().normal_stress())
+  for (const double stress : simulation.state().normal_stress)
     EXPECT_NEAR(stress, 5e3 * 9.81, 1e-7);
   double largest = 0;
   while (!simulation.is_finished())

@@ -37,6 +37,7 @@ namespace StickSlip::Tests
   {
     return make_fault_snapshots(simulation.state(),
                                 simulation.fault_nodes(),
+                                simulation.node_laws(),
                                 simulation.spatial_problem().jump_basis(),
                                 names);
   }

@@ -59,20 +59,12 @@ namespace StickSlip::Tests
       const InitialEquilibrium<2> equilibrium =
         solve_initial_equilibrium(problem);
       unsigned int n_in_tension = 0;
-      faults                    = FaultNodes<2>(problem.jump_basis(),
-                             problem.hierarchy().finest().nodes,
-                             make_node_laws(scene, problem.jump_basis()),
-                             make_normal_stress(scene,
-                                                problem.jump_basis(),
-                                                equilibrium,
-                                                n_in_tension));
-      state = make_initial_state(scene, problem.jump_basis(), equilibrium);
-      step  = std::make_unique<RateStateStep<2>>(problem,
-                                                faults,
-                                                scene.time,
-                                                scene.tnnmg);
-      controller =
-        make_step_size_controller(*step, faults, scene.time, boundary_values);
+      laws                      = make_node_laws(scene, problem.jump_basis());
+      state                     = make_initial_state(scene,
+                                 problem.jump_basis(),
+                                 equilibrium,
+                                 n_in_tension);
+      prepare();
     }
 
     SteppingScene(const std::string              &text,
@@ -80,11 +72,24 @@ namespace StickSlip::Tests
       : SteppingScene(read_scene(text, overrides))
     {}
 
+    /** Everything that depends on the contact mapping; normal stresses follow
+     * if they are asked to. */
+    void
+    prepare(const FollowingStress<2> &following = {})
+    {
+      faults =
+        FaultNodes<2>(problem.jump_basis(), problem.hierarchy().finest().nodes);
+      step = std::make_unique<RateStateStep<2>>(
+        problem, faults, laws, scene.time, scene.tnnmg, following);
+      controller =
+        make_step_size_controller(*step, scene.time, boundary_values);
+    }
+
     /** One advance; returns the steps without their states but the last. */
     std::vector<StepResult<2>>
     advance()
     {
-      std::vector<StepResult<2>> accepted = controller->advance(state);
+      std::vector<StepResult<2>> accepted = controller->advance(state, memory);
       state                               = accepted.back().state;
       return accepted;
     }
@@ -101,8 +106,10 @@ namespace StickSlip::Tests
     MeshHierarchy<2>                       meshes;
     BoundaryValues<2>                      boundary_values;
     SpatialProblem<2>                      problem;
+    NodeLaws                               laws;
     FaultNodes<2>                          faults;
     SystemState<2>                         state;
+    StepMemory<2>                          memory;
     std::unique_ptr<RateStateStep<2>>      step;
     std::unique_ptr<StepSizeController<2>> controller;
   };
@@ -140,7 +147,8 @@ namespace StickSlip::Tests
            same_bits(a.acceleration, b.acceleration) &&
            same_bits(a.mean_velocity, b.mean_velocity) &&
            same_bits(a.alpha, b.alpha) && same_bits(a.slip, b.slip) &&
-           same_bits(a.slip_rate, b.slip_rate);
+           same_bits(a.slip_rate, b.slip_rate) &&
+           same_bits(a.normal_stress, b.normal_stress);
   }
 } // namespace StickSlip::Tests
 

@@ -133,8 +133,9 @@ namespace
     std::vector<unsigned int> result;
     for (const double tau : taus)
       {
-        problem.combine(Newmark::operator_coefficients(tau));
-        const NodalVector rhs = Newmark::right_hand_side(problem, state, tau);
+        problem.combine(Newmark<2>().operator_coefficients(tau));
+        const NodalVector rhs =
+          Newmark<2>().right_hand_side(problem, state, tau);
         for (const auto &[name, alpha] : states)
           {
             std::vector<double> alphas;

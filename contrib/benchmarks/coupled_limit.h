@@ -32,7 +32,7 @@ namespace Measure
     {
       const double tau = scene.time.initial_step;
       combine_time     = seconds(
-        [&]() { problem.combine(Newmark::operator_coefficients(tau)); });
+        [&]() { problem.combine(Newmark<dim>().operator_coefficients(tau)); });
       active = hierarchy.finest().fixed;
       for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
         active.mask_node(p);

@@ -22,6 +22,7 @@
  * exit if not.
  */
 
+#include <stickslip/faults/fault_functional.h>
 #include <stickslip/scene/command_line.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/initial_state.h>
@@ -66,15 +67,10 @@ namespace
       });
       equilibrium_time =
         seconds([&]() { equilibrium = solve_initial_equilibrium(problem); });
-      unsigned int n_in_tension = 0;
-      faults                    = FaultNodes<dim>(problem.jump_basis(),
-                               problem.hierarchy().finest().nodes,
-                               make_node_laws(scene, problem.jump_basis()),
-                               make_normal_stress(scene,
-                                                  problem.jump_basis(),
-                                                  equilibrium,
-                                                  n_in_tension));
-      w                         = problem.make_vector();
+      faults = FaultNodes<dim>(problem.jump_basis(),
+                               problem.hierarchy().finest().nodes);
+      laws   = make_node_laws(scene, problem.jump_basis());
+      w      = problem.make_vector();
       if (task.without_smoother)
         this->scene.tnnmg.nonlinear_smoothing = false;
       if (task.gauss_seidel)
@@ -90,13 +86,15 @@ namespace
           for (FaultParameters &fault : scene.faults)
             if (!state.second.empty())
               fault.initial_state.set(state.second);
-          const SystemState<dim> initial =
-            make_initial_state(scene, problem.jump_basis(), equilibrium);
-          faults.set_state(initial.alpha);
+          unsigned int           n_in_tension = 0;
+          const SystemState<dim> initial      = make_initial_state(
+            scene, problem.jump_basis(), equilibrium, n_in_tension);
+          friction = make_fault_friction(faults, laws, initial.normal_stress);
+          friction->set_state(faults.at_owned_contact(initial.alpha));
           for (const double size : task.taus)
             {
               tau = size;
-              rhs = Newmark::right_hand_side(problem, initial, tau);
+              rhs = Newmark<dim>().right_hand_side(problem, initial, tau);
               solve();
               compare();
               add_row(state.first);
@@ -115,15 +113,15 @@ namespace
       operator_time = solve_time = std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < task.repetitions; ++i)
         {
-          problem.combine(Newmark::operator_coefficients(2. * tau));
+          problem.combine(Newmark<dim>().operator_coefficients(2. * tau));
           operator_time =
             std::min(operator_time, seconds([&]() {
-                       problem.combine(Newmark::operator_coefficients(tau));
+                       problem.combine(
+                         Newmark<dim>().operator_coefficients(tau));
                      }));
           w          = 0.;
           solve_time = std::min(solve_time, seconds([&]() {
-                                  summary =
-                                    solver->solve(faults.friction(), rhs, w);
+                                  summary = solver->solve(*friction, rhs, w);
                                 }));
         }
       solver_bytes = allocated_bytes() - bytes_before;
@@ -139,7 +137,7 @@ namespace
       TNNMGSolver<dim> solver(problem.hierarchy(), parameters);
       NodalVector      reference = w;
       // Rounding may leave it slightly above such a tolerance.
-      solver.solve(faults.friction(), rhs, reference);
+      solver.solve(*friction, rhs, reference);
       NodalVector difference = reference, product = reference;
       const auto  energy = [&](const NodalVector &vector) {
         problem.hierarchy().matrix().vmult(product, vector);
@@ -202,7 +200,7 @@ namespace
     make_all_levels()
     {
       LevelHierarchy<dim> &hierarchy = problem.hierarchy();
-      problem.combine(Newmark::operator_coefficients(1.));
+      problem.combine(Newmark<dim>().operator_coefficients(1.));
       hierarchy.linearise(std::vector<Tensor<2, dim>>(
                             hierarchy.finest().nonsmooth_nodes.size()),
                           hierarchy.finest().fixed);
@@ -213,7 +211,8 @@ namespace
     {
       const double assembly = coupled.assembly_time(scene.gravity_vector());
       const LinearisationCost cost =
-        measure_linearisation(problem, Newmark::operator_coefficients(tau));
+        measure_linearisation(problem,
+                              Newmark<dim>().operator_coefficients(tau));
       table.add("assembly_s", assembly);
       table.add("v_cycle_s", cost.v_cycle);
       table.add("new_tau_s", cost.new_coefficients);
@@ -234,7 +233,9 @@ namespace
     SpatialProblem<dim>    &problem;
     InitialEquilibrium<dim> equilibrium;
     FaultNodes<dim>         faults;
-    double                  contact_time = 0, equilibrium_time = 0;
+    NodeLaws                laws;
+    std::unique_ptr<FaultFriction<dim>> friction;
+    double                              contact_time = 0, equilibrium_time = 0;
 
     /** Of the present case. */
     double       tau = 0;

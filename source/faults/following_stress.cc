@@ -4,7 +4,6 @@
 #include <stickslip/faults/following_stress.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace StickSlip
 {
@@ -12,14 +11,15 @@ namespace StickSlip
   FollowingStress<dim>::FollowingStress(
     const std::vector<bool>   &faults_that_follow,
     const FaultNodes<dim>     &faults,
-    const std::vector<double> &initial_pressure)
+    const std::vector<double> &offset)
+    : offset(offset)
   {
-    AssertDimension(initial_pressure.size(), faults.size());
+    if (std::find(faults_that_follow.begin(), faults_that_follow.end(), true) ==
+        faults_that_follow.end())
+      return;
+    AssertDimension(offset.size(), faults.size());
     for (unsigned int k = 0; k < faults.size(); ++k)
-      {
-        follows.push_back(faults_that_follow[faults.fault(k)]);
-        difference.push_back(faults.normal_stress()[k] - initial_pressure[k]);
-      }
+      follows.push_back(faults_that_follow[faults.fault(k)]);
   }
 
 
@@ -35,25 +35,52 @@ namespace StickSlip
 
   template <int dim>
   std::vector<double>
-  FollowingStress<dim>::apply(FaultNodes<dim>           &faults,
-                              const std::vector<double> &contact_pressure) const
+  FollowingStress<dim>::normal_stress(
+    const std::vector<double> &before,
+    const std::vector<double> &contact_pressure) const
   {
     AssertDimension(contact_pressure.size(), follows.size());
-    const std::vector<double> before = faults.normal_stress();
-    std::vector<double>       now    = before;
+    std::vector<double> now = before;
     for (unsigned int k = 0; k < now.size(); ++k)
       if (follows[k])
-        now[k] = std::max(contact_pressure[k] + difference[k], 0.);
-    faults.set_normal_stress(now);
+        now[k] = std::max(contact_pressure[k] + offset[k], 0.);
+    return now;
+  }
 
-    std::vector<double> change(now.size());
+
+
+  template <int dim>
+  unsigned int
+  FollowingStress<dim>::n_in_tension(
+    const FaultNodes<dim>     &faults,
+    const NodeLaws            &laws,
+    const std::vector<double> &contact_pressure) const
+  {
+    unsigned int n = 0;
+    for (unsigned int k = 0; k < follows.size(); ++k)
+      if (follows[k] && contact_pressure[k] + offset[k] < 0. &&
+          faults.in_contact(k) && !laws[k].is_prescribed)
+        ++n;
+    return n;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  relative_stress_change(const FaultNodes<dim>     &faults,
+                         const NodeLaws            &laws,
+                         const std::vector<double> &before,
+                         const std::vector<double> &now)
+  {
+    const std::vector<double> over_mean = faults.over_mean(now);
+    std::vector<double>       change(now.size());
     for (unsigned int k = 0; k < now.size(); ++k)
       if (now[k] != before[k] && faults.in_contact(k))
         {
-          const double mean  = faults.relative_normal_stress()[k] > 0. ?
-                                 now[k] / faults.relative_normal_stress()[k] :
-                                 std::max(now[k], before[k]);
-          const double scale = faults.law(k).friction->rate_scale();
+          const double mean  = over_mean[k] > 0. ? now[k] / over_mean[k] :
+                                                   std::max(now[k], before[k]);
+          const double scale = laws[k].friction->rate_scale();
           change[k]          = (now[k] - before[k]) / mean;
           if (scale > 0.)
             change[k] /= scale;
@@ -63,22 +90,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  unsigned int
-  FollowingStress<dim>::n_in_tension(
-    const FaultNodes<dim>     &faults,
-    const std::vector<double> &contact_pressure) const
-  {
-    unsigned int n = 0;
-    for (unsigned int k = 0; k < follows.size(); ++k)
-      if (follows[k] && contact_pressure[k] + difference[k] < 0. &&
-          faults.in_contact(k) && !faults.law(k).is_prescribed)
-        ++n;
-    return n;
-  }
+#define STICKSLIP_INSTANTIATE(dim)                          \
+  template class FollowingStress<dim>;                      \
+  template std::vector<double> relative_stress_change<dim>( \
+    const FaultNodes<dim> &,                                \
+    const NodeLaws &,                                       \
+    const std::vector<double> &,                            \
+    const std::vector<double> &);
 
-
-
-  template class FollowingStress<2>;
-  template class FollowingStress<3>;
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

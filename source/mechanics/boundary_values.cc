@@ -46,7 +46,6 @@ namespace StickSlip
           body_names.begin();
         AssertIndexRange(side.body, body_names.size());
         side.condition = condition;
-        side.largest.fill(0.);
         for (unsigned int c = 0; c < dim; ++c)
           {
             static const std::regex the_time("\\bt\\b");
@@ -221,12 +220,17 @@ namespace StickSlip
 
   template <int dim>
   double
-  BoundaryValues<dim>::loading_error(const double time, const double tau)
+  BoundaryValues<dim>::loading_error(const double       time,
+                                     const double       tau,
+                                     LargestLoads<dim> &largest)
   {
+    // Zero on sides that have not been met yet.
+    largest.resize(sides.size());
     double error = 0;
-    for (Side &side : sides)
+    for (unsigned int i = 0; i < sides.size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         {
+          Side &side = sides[i];
           if (!side.varies[c])
             continue;
           std::vector<double> second_difference(side.points.size());
@@ -241,21 +245,21 @@ namespace StickSlip
                   const double value =
                     ramp * side.values[c]->value(side.points[k]);
                   second_difference[k] += value;
-                  side.largest[c] =
-                    std::max(side.largest[c],
+                  largest[i][c] =
+                    std::max(largest[i][c],
                              std::abs(part == 0.5 ? value / 2. : value));
                 }
             }
-          double largest = 0;
+          double deviation = 0;
           for (const double difference : second_difference)
-            largest = std::max(largest, std::abs(difference));
+            deviation = std::max(deviation, std::abs(difference));
           const MPI_Comm communicator = meshes.finest().nodes.communicator();
-          largest         = Utilities::MPI::max(largest, communicator);
-          side.largest[c] = Utilities::MPI::max(side.largest[c], communicator);
+          deviation     = Utilities::MPI::max(deviation, communicator);
+          largest[i][c] = Utilities::MPI::max(largest[i][c], communicator);
           error =
             std::max(error,
-                     largest /
-                       (3. * std::max(side.largest[c],
+                     deviation /
+                       (3. * std::max(largest[i][c],
                                       std::numeric_limits<double>::min())));
         }
     return error;

@@ -40,12 +40,12 @@ namespace StickSlip
     , file_name(file_name)
     , start_slip_rate(start_slip_rate)
     , end_slip_rate(end_fraction * start_slip_rate)
-    , records(fault_names.size())
   {
     Assert(start_slip_rate > 0 && end_fraction > 0 && end_fraction <= 1,
            ExcMessage("Events need a threshold."));
-    for (unsigned int i = 0; i < records.size(); ++i)
-      records[i].name = fault_names[i];
+    memory.faults.resize(fault_names.size());
+    for (unsigned int i = 0; i < fault_names.size(); ++i)
+      memory.faults[i].name = fault_names[i];
 
     file.precision(std::numeric_limits<double>::max_digits10);
     file << "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
@@ -62,16 +62,16 @@ namespace StickSlip
   EventCatalogue<dim>::add(const double                           time,
                            const std::vector<FaultSnapshot<dim>> &faults)
   {
-    AssertDimension(faults.size(), records.size());
-    for (unsigned int i = 0; i < records.size(); ++i)
-      add(records[i], time, fault_statistics(faults[i]));
+    AssertDimension(faults.size(), memory.faults.size());
+    for (unsigned int i = 0; i < memory.faults.size(); ++i)
+      add(memory.faults[i], time, fault_statistics(faults[i]));
   }
 
 
 
   template <int dim>
   void
-  EventCatalogue<dim>::add(FaultRecord           &record,
+  EventCatalogue<dim>::add(EventState::Fault     &record,
                            const double           time,
                            const FaultStatistics &now)
   {
@@ -136,7 +136,7 @@ namespace StickSlip
   void
   EventCatalogue<dim>::finish()
   {
-    for (FaultRecord &record : records)
+    for (EventState::Fault &record : memory.faults)
       if (record.is_open)
         {
           record.is_open = false;
@@ -150,7 +150,28 @@ namespace StickSlip
   const std::vector<SlipEvent> &
   EventCatalogue<dim>::events() const
   {
-    return written;
+    return memory.written;
+  }
+
+
+
+  template <int dim>
+  const EventState &
+  EventCatalogue<dim>::state() const
+  {
+    return memory;
+  }
+
+
+
+  template <int dim>
+  void
+  EventCatalogue<dim>::resume(const EventState &state)
+  {
+    AssertDimension(state.faults.size(), memory.faults.size());
+    memory.faults = state.faults;
+    for (const SlipEvent &event : state.written)
+      write(event);
   }
 
 
@@ -159,7 +180,7 @@ namespace StickSlip
   void
   EventCatalogue<dim>::write(const SlipEvent &event)
   {
-    written.push_back(event);
+    memory.written.push_back(event);
     file << event.fault << ',' << event.start << ',' << event.peak_time << ','
          << event.end << ',' << event.peak_mean_slip_rate << ','
          << event.peak_slip_rate << ',' << event.mean_slip << ','

@@ -22,23 +22,23 @@ namespace StickSlip
   bool
   OutputCadence::is_due(const double time, const double slip_rate) const
   {
-    if (!has_written)
+    if (!last.has_written)
       return true;
 
     // Times are sums of steps: an interval of ten steps of 0.1 must not last
     // eleven.
     const double rounding = 1e-12 * std::abs(time);
-    const double interval = time - last_time + rounding;
+    const double interval = time - last.time + rounding;
     if (interval >= longest_interval)
       return true;
     if (interval < shortest_interval)
       return false;
     if (slip_interval > 0. && slip_rate * interval >= slip_interval)
       return true;
-    if (slip_rate == last_slip_rate)
+    if (slip_rate == last.slip_rate)
       return false;
-    return slip_rate >= slip_rate_factor * last_slip_rate ||
-           slip_rate * slip_rate_factor <= last_slip_rate;
+    return slip_rate >= slip_rate_factor * last.slip_rate ||
+           slip_rate * slip_rate_factor <= last.slip_rate;
   }
 
 
@@ -46,8 +46,22 @@ namespace StickSlip
   void
   OutputCadence::note_written(const double time, const double slip_rate)
   {
-    has_written    = true;
-    last_time      = time;
-    last_slip_rate = slip_rate;
+    last = {true, time, slip_rate};
+  }
+
+
+
+  const CadenceState &
+  OutputCadence::state() const
+  {
+    return last;
+  }
+
+
+
+  void
+  OutputCadence::resume(const CadenceState &state)
+  {
+    last = state;
   }
 } // namespace StickSlip

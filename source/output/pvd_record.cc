@@ -18,7 +18,7 @@ namespace StickSlip
   void
   PvdRecord::add(const double time, const std::string &vtu_file_name)
   {
-    entries.emplace_back(time, vtu_file_name);
+    files.emplace_back(time, vtu_file_name);
 
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
@@ -26,11 +26,27 @@ namespace StickSlip
          << "<VTKFile type=\"Collection\" version=\"0.1\" "
             "byte_order=\"LittleEndian\">\n"
          << "  <Collection>\n";
-    for (const auto &[entry_time, name] : entries)
+    for (const auto &[entry_time, name] : files)
       text << "    <DataSet timestep=\"" << entry_time
            << "\" group=\"\" part=\"0\" file=\"" << name << "\"/>\n";
     text << "  </Collection>\n"
          << "</VTKFile>\n";
     write_file_atomically(file_name, text.str());
+  }
+
+
+
+  const VolumeEntries &
+  PvdRecord::entries() const
+  {
+    return files;
+  }
+
+
+
+  void
+  PvdRecord::resume(const VolumeEntries &entries)
+  {
+    files = entries;
   }
 } // namespace StickSlip

@@ -8,17 +8,18 @@ namespace StickSlip
 {
   namespace
   {
-    /** Whether the forces on a node tell its shear traction, and the law does
+    /** True if the forces on a node tell its shear traction, and the law does
      * not. */
     template <int dim>
     bool
     is_balancing(const FaultNodes<dim>  &faults,
+                 const NodeLaws         &laws,
                  const SystemState<dim> &state,
                  const unsigned int      k)
     {
       return faults.in_contact(k) &&
-             (faults.law(k).is_prescribed ||
-              (faults.normal_stress()[k] > 0. &&
+             (laws[k].is_prescribed ||
+              (state.normal_stress[k] > 0. &&
                magnitude(state.slip_rate[k]) < least_slip_rate));
     }
   } // namespace
@@ -28,18 +29,18 @@ namespace StickSlip
   template <int dim>
   Tensor<1, dim - 1>
   directed_friction(const FaultNodes<dim>  &faults,
+                    const NodeLaws         &laws,
                     const SystemState<dim> &state,
                     const unsigned int      k)
   {
-    if (is_balancing(faults, state, k))
-      return state.balancing_traction.empty() ||
-                 faults.normal_stress()[k] == 0. ?
+    if (is_balancing(faults, laws, state, k))
+      return state.balancing_traction.empty() || state.normal_stress[k] == 0. ?
                Tensor<1, dim - 1>() :
-               state.balancing_traction[k] / faults.normal_stress()[k];
+               state.balancing_traction[k] / state.normal_stress[k];
     const double V = magnitude(state.slip_rate[k]);
     if (V == 0.)
       return Tensor<1, dim - 1>();
-    const FrictionLaw &law = *faults.law(k).friction;
+    const FrictionLaw &law = *laws[k].friction;
     return law.coefficient(V, law.node_data(state.alpha[k])) / V *
            state.slip_rate[k];
   }
@@ -49,14 +50,16 @@ namespace StickSlip
   template <int dim>
   Tensor<1, dim - 1>
   shear_traction(const FaultNodes<dim>  &faults,
+                 const NodeLaws         &laws,
                  const SystemState<dim> &state,
                  const unsigned int      k)
   {
     if (!faults.in_contact(k))
       return Tensor<1, dim - 1>();
-    if (is_balancing(faults, state, k) && !state.balancing_traction.empty())
+    if (is_balancing(faults, laws, state, k) &&
+        !state.balancing_traction.empty())
       return state.balancing_traction[k];
-    return faults.normal_stress()[k] * directed_friction(faults, state, k);
+    return state.normal_stress[k] * directed_friction(faults, laws, state, k);
   }
 
 
@@ -64,15 +67,16 @@ namespace StickSlip
   template <int dim>
   std::vector<Tensor<1, dim - 1>>
   balancing_tractions(const FaultNodes<dim>  &faults,
+                      const NodeLaws         &laws,
                       const SystemState<dim> &state,
                       const BlockMatrix<dim> &A,
                       const NodalVector      &b,
                       const NodalVector      &w)
   {
-    // The same on all processes.
+    // Every process has all nodes.
     bool is_needed = false;
     for (unsigned int k = 0; k < faults.size(); ++k)
-      is_needed = is_needed || is_balancing(faults, state, k);
+      is_needed = is_needed || is_balancing(faults, laws, state, k);
     if (!is_needed)
       return {};
 
@@ -80,7 +84,7 @@ namespace StickSlip
     A.residual(forces, b, w);
     std::vector<Tensor<1, dim - 1>> result = faults.tangential_jumps(forces);
     for (unsigned int k = 0; k < faults.size(); ++k)
-      result[k] = is_balancing(faults, state, k) ?
+      result[k] = is_balancing(faults, laws, state, k) ?
                     result[k] / faults.weights()[k] :
                     Tensor<1, dim - 1>();
     return result;
@@ -90,13 +94,16 @@ namespace StickSlip
 
 #define STICKSLIP_INSTANTIATE(dim)                                             \
   template Tensor<1, dim - 1> directed_friction<dim>(const FaultNodes<dim> &,  \
+                                                     const NodeLaws &,         \
                                                      const SystemState<dim> &, \
                                                      const unsigned int);      \
   template Tensor<1, dim - 1> shear_traction<dim>(const FaultNodes<dim> &,     \
+                                                  const NodeLaws &,            \
                                                   const SystemState<dim> &,    \
                                                   const unsigned int);         \
   template std::vector<Tensor<1, dim - 1>> balancing_tractions<dim>(           \
     const FaultNodes<dim> &,                                                   \
+    const NodeLaws &,                                                          \
     const SystemState<dim> &,                                                  \
     const BlockMatrix<dim> &,                                                  \
     const NodalVector &,                                                       \

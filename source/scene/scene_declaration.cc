@@ -5,6 +5,7 @@
 
 #include <stickslip/parameters/entries.h>
 #include <stickslip/parameters/name_list.h>
+#include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/solver_entries.h>
 
@@ -12,25 +13,13 @@ namespace StickSlip
 {
   namespace
   {
-    template <typename Item>
-    std::string
-    names_of(const std::vector<Item> &items)
-    {
-      std::vector<std::string> names;
-      for (const Item &item : items)
-        names.push_back(item.name);
-      return join_names(names);
-    }
-
-
-
     template <int dim>
     void
     declare_bodies(ParameterHandler &prm, SceneParameters<dim> &scene)
     {
       prm.enter_subsection("Bodies");
       prm.declare_entry("Names",
-                        names_of(scene.bodies),
+                        join_names(names_of(scene.bodies)),
                         NameList(),
                         "Names of the bodies from bottom to top. Each has a "
                         "subsection of its name.");
@@ -60,7 +49,7 @@ namespace StickSlip
     {
       prm.enter_subsection("Faults");
       prm.declare_entry("Names",
-                        names_of(scene.faults),
+                        join_names(names_of(scene.faults)),
                         NameList(),
                         "Names of the faults from bottom to top, one between "
                         "each two neighbouring bodies; empty for a single "

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/base/magnitude.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/simulation/fault_snapshots.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace StickSlip
@@ -14,6 +12,7 @@ namespace StickSlip
   std::vector<FaultSnapshot<dim>>
   make_fault_snapshots(const SystemState<dim>         &state,
                        const FaultNodes<dim>          &nodes,
+                       const NodeLaws                 &laws,
                        const JumpBasis<dim>           &basis,
                        const std::vector<std::string> &names)
   {
@@ -31,7 +30,7 @@ namespace StickSlip
              ++k)
           {
             const double normal_stress =
-              nodes.in_contact(k) ? nodes.normal_stress()[k] : 0.;
+              nodes.in_contact(k) ? state.normal_stress[k] : 0.;
             snapshot.slip.push_back(sign * state.slip[k]);
             snapshot.slip_rate.push_back(sign * state.slip_rate[k]);
             snapshot.normal_stress.push_back(normal_stress);
@@ -39,8 +38,8 @@ namespace StickSlip
             if (!state.contact_pressure.empty())
               snapshot.contact_pressure.push_back(
                 nodes.in_contact(k) ? state.contact_pressure[k] : 0.);
-            snapshot.shear_traction.push_back(sign *
-                                              shear_traction(nodes, state, k));
+            snapshot.shear_traction.push_back(
+              sign * shear_traction(nodes, laws, state, k));
           }
       }
     return snapshots;
@@ -48,41 +47,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  double
-  largest_slip_rate(const SystemState<dim> &state)
-  {
-    double largest = 0;
-    for (const auto &rate : state.slip_rate)
-      largest = std::max(largest, magnitude(rate));
-    return largest;
-  }
-
-
-
-  template <int dim>
-  double
-  largest_slip(const SystemState<dim>                &state,
-               const std::vector<Tensor<1, dim - 1>> &since)
-  {
-    double largest = 0;
-    for (unsigned int k = 0; k < since.size(); ++k)
-      largest = std::max(largest, (state.slip[k] - since[k]).norm());
-    return largest;
-  }
-
-
-
-#define STICKSLIP_INSTANTIATE(dim)                                    \
-  template std::vector<FaultSnapshot<dim>> make_fault_snapshots<dim>( \
-    const SystemState<dim> &,                                         \
-    const FaultNodes<dim> &,                                          \
-    const JumpBasis<dim> &,                                           \
-    const std::vector<std::string> &);                                \
-  template double largest_slip_rate<dim>(const SystemState<dim> &);   \
-  template double largest_slip<dim>(const SystemState<dim> &,         \
-                                    const std::vector<Tensor<1, dim - 1>> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template std::vector<FaultSnapshot<2>>
+  make_fault_snapshots(const SystemState<2> &,
+                       const FaultNodes<2> &,
+                       const NodeLaws &,
+                       const JumpBasis<2> &,
+                       const std::vector<std::string> &);
+  template std::vector<FaultSnapshot<3>>
+  make_fault_snapshots(const SystemState<3> &,
+                       const FaultNodes<3> &,
+                       const NodeLaws &,
+                       const JumpBasis<3> &,
+                       const std::vector<std::string> &);
 } // namespace StickSlip

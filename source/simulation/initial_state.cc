@@ -10,55 +10,60 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  std::vector<double>
-  make_normal_stress(const SceneParameters<dim>    &scene,
-                     const JumpBasis<dim>          &basis,
-                     const InitialEquilibrium<dim> &equilibrium,
-                     unsigned int                  &n_in_tension)
+  namespace
   {
-    std::vector<double> stress = equilibrium.contact_pressure;
-    unsigned int        k      = 0;
-    for (unsigned int f = 0; f < scene.faults.size(); ++f)
-      {
-        const FaultParameters         &fault = scene.faults[f];
-        const std::vector<Point<dim>> &points =
-          basis.faults()[f].slave_surface.points;
-        std::vector<double> given;
-        if (fault.normal_stress_source == NormalStressSource::function)
-          given = fault.normal_stress.values(points, fault.section());
-        else if (fault.normal_stress_source == NormalStressSource::lithostatic)
-          given = lithostatic_stress(scene, f, points);
-        const unsigned int first        = k;
-        bool               has_friction = false;
-        for (const FaultPart &part : fault.parts(points))
-          for (const unsigned int i : part.positions)
-            {
-              double &sigma = stress[first + i];
-              if (!given.empty())
-                sigma = given[i];
-              const bool is_free =
-                part.friction->has_prescribed_slip() ||
-                part.friction->kind == FrictionKind::frictionless;
-              has_friction = has_friction || !is_free;
-              if (sigma < 0. && !is_free)
-                ++n_in_tension;
-              sigma = std::max(sigma, 0.);
-              ++k;
-            }
-        if (has_friction &&
-            fault.normal_stress_source != NormalStressSource::function &&
-            std::none_of(stress.begin() + first,
-                         stress.begin() + k,
-                         [](const double sigma) { return sigma > 0.; }))
-          throw InputError(
-            fault.section() +
-            "/Normal stress: nothing presses this fault together; it must be "
-            "'function', or there must be gravity or a boundary traction that "
-            "does.");
-      }
-    return stress;
-  }
+    /** The normal stress at all slave nodes, Pa. */
+    template <int dim>
+    std::vector<double>
+    make_normal_stress(const SceneParameters<dim>    &scene,
+                       const JumpBasis<dim>          &basis,
+                       const InitialEquilibrium<dim> &equilibrium,
+                       unsigned int                  &n_in_tension)
+    {
+      std::vector<double> stress = equilibrium.contact_pressure;
+      unsigned int        k      = 0;
+      for (unsigned int f = 0; f < scene.faults.size(); ++f)
+        {
+          const FaultParameters         &fault = scene.faults[f];
+          const std::vector<Point<dim>> &points =
+            basis.faults()[f].slave_surface.points;
+          std::vector<double> given;
+          if (fault.normal_stress_source == NormalStressSource::function)
+            given = fault.normal_stress.values(points, fault.section());
+          else if (fault.normal_stress_source ==
+                   NormalStressSource::lithostatic)
+            given = lithostatic_stress(scene, f, points);
+          const unsigned int first        = k;
+          bool               has_friction = false;
+          for (const FaultPart &part : fault.parts(points))
+            for (const unsigned int i : part.positions)
+              {
+                double &sigma = stress[first + i];
+                if (!given.empty())
+                  sigma = given[i];
+                const bool is_free =
+                  part.friction->has_prescribed_slip() ||
+                  part.friction->kind == FrictionKind::frictionless;
+                has_friction = has_friction || !is_free;
+                if (sigma < 0. && !is_free)
+                  ++n_in_tension;
+                sigma = std::max(sigma, 0.);
+                ++k;
+              }
+          if (has_friction &&
+              fault.normal_stress_source != NormalStressSource::function &&
+              std::none_of(stress.begin() + first,
+                           stress.begin() + k,
+                           [](const double sigma) { return sigma > 0.; }))
+            throw InputError(
+              fault.section() +
+              "/Normal stress: nothing presses this fault together; it must be "
+              "'function', or there must be gravity or a boundary traction that "
+              "does.");
+        }
+      return stress;
+    }
+  } // namespace
 
 
 
@@ -66,9 +71,12 @@ namespace StickSlip
   SystemState<dim>
   make_initial_state(const SceneParameters<dim>    &scene,
                      const JumpBasis<dim>          &basis,
-                     const InitialEquilibrium<dim> &equilibrium)
+                     const InitialEquilibrium<dim> &equilibrium,
+                     unsigned int                  &n_in_tension)
   {
     SystemState<dim> state;
+    state.normal_stress =
+      make_normal_stress(scene, basis, equilibrium, n_in_tension);
     state.displacement = equilibrium.displacement;
     state.velocity     = equilibrium.displacement;
     state.velocity     = 0.;
@@ -105,16 +113,12 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                      \
-  template std::vector<double> make_normal_stress<dim>( \
-    const SceneParameters<dim> &,                       \
-    const JumpBasis<dim> &,                             \
-    const InitialEquilibrium<dim> &,                    \
-    unsigned int &);                                    \
-  template SystemState<dim> make_initial_state<dim>(    \
-    const SceneParameters<dim> &,                       \
-    const JumpBasis<dim> &,                             \
-    const InitialEquilibrium<dim> &);
+#define STICKSLIP_INSTANTIATE(dim)                   \
+  template SystemState<dim> make_initial_state<dim>( \
+    const SceneParameters<dim> &,                    \
+    const JumpBasis<dim> &,                          \
+    const InitialEquilibrium<dim> &,                 \
+    unsigned int &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -13,7 +13,10 @@ namespace StickSlip
   {
     template <int dim>
     bool
-    resists_slip(const FaultNodes<dim> &faults, const unsigned int fault)
+    resists_slip(const FaultNodes<dim>  &faults,
+                 const NodeLaws         &laws,
+                 const SystemState<dim> &state,
+                 const unsigned int      fault)
     {
       for (unsigned int k = faults.first_of_fault()[fault];
            k < faults.first_of_fault()[fault + 1];
@@ -21,10 +24,10 @@ namespace StickSlip
         {
           // A coefficient that does not depend on the slip rate says nothing of
           // how fast a body is that it does not hold.
-          const FaultLaw &law = faults.law(k);
+          const FaultLaw &law = laws[k];
           if (faults.in_contact(k) &&
               (law.is_prescribed || law.radiation_damping > 0. ||
-               (faults.normal_stress()[k] > 0. &&
+               (state.normal_stress[k] > 0. &&
                 law.friction->rate_scale() > 0.)))
             return true;
         }
@@ -37,14 +40,16 @@ namespace StickSlip
      * slip, ascending; the groups in the order of their first bodies. */
     template <int dim>
     std::vector<std::vector<unsigned int>>
-    bodies_that_hang_together(const FaultTopology   &topology,
-                              const FaultNodes<dim> &faults)
+    bodies_that_hang_together(const FaultTopology    &topology,
+                              const FaultNodes<dim>  &faults,
+                              const NodeLaws         &laws,
+                              const SystemState<dim> &state)
     {
       const unsigned int        n_bodies = topology.body_names().size();
       std::vector<unsigned int> first(n_bodies);
       std::iota(first.begin(), first.end(), 0);
       for (unsigned int f = 0; f < topology.faults().size(); ++f)
-        if (resists_slip(faults, f))
+        if (resists_slip(faults, laws, state, f))
           {
             const auto &sides = topology.faults()[f].sides;
             for (const BodySide &a : sides[0])
@@ -95,12 +100,14 @@ namespace StickSlip
   template <int dim>
   void
   check_restraint(const SceneParameters<dim> &scene,
-                  const FaultNodes<dim>      &faults)
+                  const FaultNodes<dim>      &faults,
+                  const NodeLaws             &laws,
+                  const SystemState<dim>     &state)
   {
     if (scene.time.inertia == Inertia::dynamic)
       return;
     const std::vector<std::vector<unsigned int>> groups =
-      bodies_that_hang_together(scene.topology, faults);
+      bodies_that_hang_together(scene.topology, faults, laws, state);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       for (const std::vector<unsigned int> &group : groups)
         {
@@ -125,7 +132,9 @@ namespace StickSlip
 
 #define STICKSLIP_INSTANTIATE(dim)                                 \
   template void check_restraint<dim>(const SceneParameters<dim> &, \
-                                     const FaultNodes<dim> &);
+                                     const FaultNodes<dim> &,      \
+                                     const NodeLaws &,             \
+                                     const SystemState<dim> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

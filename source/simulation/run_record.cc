@@ -6,6 +6,7 @@
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/run_record.h>
 
@@ -16,18 +17,6 @@ namespace StickSlip
 {
   namespace
   {
-    template <int dim>
-    std::vector<std::string>
-    names_of(const SceneParameters<dim> &scene)
-    {
-      std::vector<std::string> names;
-      for (const FaultParameters &fault : scene.faults)
-        names.push_back(fault.name);
-      return names;
-    }
-
-
-
     OutputDirectory
     prepared_directory(const std::string &path)
     {
@@ -88,7 +77,7 @@ namespace StickSlip
                                const std::vector<FaultSnapshot<dim>> &faults)
     : directory(prepared_directory(scene.output.directory))
     , catalogue(directory.file("events.csv"),
-                names_of(scene),
+                names_of(scene.faults),
                 event_start_slip_rate(scene),
                 scene.output.event_end_fraction)
     , pvd(directory.file("solution.pvd"))
@@ -99,7 +88,7 @@ namespace StickSlip
     if (scene.output.time_series_steps > 0)
       time_series =
         std::make_unique<TimeSeries<dim>>(directory.file("time_series.csv"),
-                                          names_of(scene));
+                                          names_of(scene.faults));
     if (scene.output.write_faults)
       history = std::make_unique<FaultHistory<dim>>(directory.file("faults.h5"),
                                                     faults,
@@ -140,7 +129,6 @@ namespace StickSlip
                       const std::vector<FaultSnapshot<dim>> &faults)
   {
     last_step   = step;
-    last_state  = &state;
     last_faults = faults;
     is_new      = true;
     // The state at the start is no step.
@@ -155,7 +143,8 @@ namespace StickSlip
             std::max(last_slip_rate, magnitude(fault.slip_rate[k]));
 
     const unsigned int every = scene.output.time_series_steps;
-    write(every > 0 && step.step > 0 && step.step % every == 0,
+    write(state,
+          every > 0 && step.step > 0 && step.step % every == 0,
           scene.output.write_faults &&
             fault_cadence.is_due(step.time, last_slip_rate),
           scene.output.write_volume &&
@@ -166,12 +155,13 @@ namespace StickSlip
 
   template <int dim>
   void
-  RunRecord<dim>::write(const bool series,
-                        const bool fault_history,
-                        const bool volume)
+  RunRecord<dim>::write(const SystemState<dim> &state,
+                        const bool              series,
+                        const bool              fault_history,
+                        const bool              volume)
   {
     const VolumeNodalValues values =
-      volume ? gather_volume() : VolumeNodalValues();
+      volume ? gather_volume(state) : VolumeNodalValues();
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;
@@ -210,18 +200,18 @@ namespace StickSlip
 
   template <int dim>
   VolumeNodalValues
-  RunRecord<dim>::gather_volume() const
+  RunRecord<dim>::gather_volume(const SystemState<dim> &state) const
   {
     const std::vector<VolumeField> &fields = scene.output.volume_fields;
     VolumeNodalValues               values;
     if (has_field(fields, VolumeField::displacement) ||
         has_field(fields, VolumeField::stress) ||
         has_field(fields, VolumeField::strain))
-      values.displacement = gather_on_first(last_state->displacement);
+      values.displacement = gather_on_first(state.displacement);
     if (has_field(fields, VolumeField::velocity))
-      values.velocity = gather_on_first(last_state->velocity);
+      values.velocity = gather_on_first(state.velocity);
     if (has_field(fields, VolumeField::acceleration))
-      values.acceleration = gather_on_first(last_state->acceleration);
+      values.acceleration = gather_on_first(state.acceleration);
     return values;
   }
 
@@ -233,7 +223,7 @@ namespace StickSlip
   {
     files->pvd.add(last_step.time,
                    write_volume(scene.output.directory,
-                                n_volumes++,
+                                files->pvd.entries().size(),
                                 last_step.time,
                                 level,
                                 values,
@@ -244,12 +234,47 @@ namespace StickSlip
 
 
   template <int dim>
+  RecordState
+  RunRecord<dim>::state() const
+  {
+    RecordState state;
+    state.fault_cadence  = fault_cadence.state();
+    state.volume_cadence = volume_cadence.state();
+    if (files)
+      {
+        state.events  = files->catalogue.state();
+        state.volumes = files->pvd.entries();
+      }
+    return state;
+  }
+
+
+
+  template <int dim>
   void
-  RunRecord<dim>::finish(const RunSummary &summary)
+  RunRecord<dim>::resume(const RecordState &state)
+  {
+    fault_cadence.resume(state.fault_cadence);
+    volume_cadence.resume(state.volume_cadence);
+    carry_out_agreed(communicator, [&]() {
+      if (!files)
+        return;
+      files->catalogue.resume(state.events);
+      files->pvd.resume(state.volumes);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::finish(const SystemState<dim> &state,
+                         const RunSummary       &summary)
   {
     if (files)
       files->progress.finish();
-    write(scene.output.time_series_steps > 0 && !in_time_series,
+    write(state,
+          scene.output.time_series_steps > 0 && !in_time_series,
           scene.output.write_faults && !in_fault_history,
           scene.output.write_volume && !in_volume_output);
     carry_out_agreed(communicator, [&]() {

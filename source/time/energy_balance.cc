@@ -56,14 +56,25 @@ namespace StickSlip
 
 
   template <int dim>
-  EnergyBalance<dim>::EnergyBalance(SpatialProblem<dim>    &problem,
-                                    const FaultNodes<dim>  &faults,
-                                    const SystemState<dim> &start)
+  EnergyBalance<dim>::EnergyBalance(SpatialProblem<dim>   &problem,
+                                    const FaultNodes<dim> &faults,
+                                    const NodeLaws        &laws,
+                                    EnergyAccount         &account)
     : problem(problem)
     , faults(faults)
-    , initial_energy(kinetic_energy(start) + elastic_energy(start))
+    , laws(laws)
+    , account(account)
+  {}
+
+
+
+  template <int dim>
+  void
+  EnergyBalance<dim>::start(const SystemState<dim> &state)
   {
-    reinit(start);
+    account                = EnergyAccount();
+    account.initial_energy = kinetic_energy(state) + elastic_energy(state);
+    restart(state);
   }
 
 
@@ -72,20 +83,20 @@ namespace StickSlip
   void
   EnergyBalance<dim>::add(const SystemState<dim> &state)
   {
-    const double half_step = 0.5 * (state.time - last_time);
-    total.add(half_step, last_powers);
-    reinit(state);
-    total.add(half_step, last_powers);
+    const double half_step = 0.5 * (state.time - account.last_time);
+    account.work.add(half_step, account.last_powers);
+    restart(state);
+    account.work.add(half_step, account.last_powers);
   }
 
 
 
   template <int dim>
   void
-  EnergyBalance<dim>::reinit(const SystemState<dim> &state)
+  EnergyBalance<dim>::restart(const SystemState<dim> &state)
   {
-    last_time   = state.time;
-    last_powers = powers(state);
+    account.last_time   = state.time;
+    account.last_powers = powers(state);
   }
 
 
@@ -94,7 +105,7 @@ namespace StickSlip
   const EnergyTerms &
   EnergyBalance<dim>::work() const
   {
-    return total;
+    return account.work;
   }
 
 
@@ -123,8 +134,8 @@ namespace StickSlip
   double
   EnergyBalance<dim>::defect(const SystemState<dim> &state) const
   {
-    return kinetic_energy(state) + elastic_energy(state) - initial_energy -
-           total.gain();
+    return kinetic_energy(state) + elastic_energy(state) -
+           account.initial_energy - account.work.gain();
   }
 
 
@@ -138,7 +149,7 @@ namespace StickSlip
     problem.to_jumps(u, state.displacement);
     const NodalVector f = problem.load(state.time);
 
-    // What the terms of the equation are applied to.
+    // Terms of the equation and the vectors they are applied to.
     std::vector<std::pair<const BlockMatrix<dim> *, const NodalVector *>>
                 forces;
     NodalVector a;
@@ -181,18 +192,18 @@ namespace StickSlip
     result.driven_sides =
       Utilities::MPI::sum(driven, finest.nodes.communicator());
 
-    // The same on all processes.
+    // Every process has all nodes.
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
-        const FrictionLaw &law = *faults.law(k).friction;
+        const FrictionLaw &law = *laws[k].friction;
         const double       V   = magnitude(state.slip_rate[k]);
         if (faults.weights()[k] > 0. && V > 0.)
           {
             result.friction +=
-              faults.weights()[k] * faults.normal_stress()[k] *
+              faults.weights()[k] * state.normal_stress[k] *
               law.coefficient(V, law.node_data(state.alpha[k])) * V;
             result.radiation +=
-              faults.weights()[k] * faults.law(k).radiation_damping * V * V;
+              faults.weights()[k] * laws[k].radiation_damping * V * V;
           }
       }
     return result;

@@ -5,64 +5,66 @@
 
 namespace StickSlip
 {
-  namespace Newmark
+  template <int dim>
+  void
+  Newmark<dim>::complete(SystemState<dim>       &to,
+                         const SystemState<dim> &from,
+                         const double            tau) const
   {
-    std::vector<double>
-    operator_coefficients(const double tau)
-    {
-      return {2. / tau, 1., tau / 2.};
-    }
+    to.displacement = known_displacement(from, tau);
+    to.displacement.add(tau / 2., to.velocity);
+    to.acceleration = from.acceleration;
+    to.acceleration *= -1.;
+    to.acceleration.add(2. / tau, to.velocity, -2. / tau, from.velocity);
+    to.slip = from.slip;
+    for (unsigned int k = 0; k < to.slip.size(); ++k)
+      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
+  }
 
 
 
-    template <int dim>
-    NodalVector
-    right_hand_side(SpatialProblem<dim>    &problem,
-                    const SystemState<dim> &from,
-                    const double            tau)
-    {
-      NodalVector nodal = from.velocity, w = problem.make_vector(), product = w;
-      NodalVector rhs = problem.load(from.time + tau);
-
-      nodal.sadd(2. / tau, 1., from.acceleration);
-      problem.to_jumps(w, nodal);
-      problem.term(SpatialProblem<dim>::mass).vmult(product, w);
-      rhs += product;
-
-      nodal = from.displacement;
-      nodal.add(tau / 2., from.velocity);
-      problem.to_jumps(w, nodal);
-      problem.term(SpatialProblem<dim>::stiffness).vmult(product, w);
-      rhs -= product;
-      return rhs;
-    }
+  template <int dim>
+  double
+  Newmark<dim>::error_constant(const double tau, const double) const
+  {
+    return tau * tau * tau / 12.;
+  }
 
 
 
-    template <int dim>
-    void
-    complete(SystemState<dim>       &to,
-             const SystemState<dim> &from,
-             const double            tau)
-    {
-      to.displacement = from.displacement;
-      to.displacement.add(tau / 2., from.velocity, tau / 2., to.velocity);
-      to.acceleration = from.acceleration;
-      to.acceleration *= -1.;
-      to.acceleration.add(2. / tau, to.velocity, -2. / tau, from.velocity);
-    }
+  template <int dim>
+  std::pair<double, double>
+  Newmark<dim>::end_weights(const double tau, const double) const
+  {
+    return {2. / tau, tau / 2.};
+  }
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                    \
-  template NodalVector right_hand_side<dim>(SpatialProblem<dim> &,    \
-                                            const SystemState<dim> &, \
-                                            const double);            \
-  template void        complete<dim>(SystemState<dim> &,              \
-                              const SystemState<dim> &,        \
-                              const double);
+  template <int dim>
+  NodalVector
+  Newmark<dim>::known_displacement(const SystemState<dim> &from,
+                                   const double            tau) const
+  {
+    NodalVector u = from.displacement;
+    u.add(tau / 2., from.velocity);
+    return u;
+  }
 
-    STICKSLIP_INSTANTIATE(2)
-    STICKSLIP_INSTANTIATE(3)
-  } // namespace Newmark
+
+
+  template <int dim>
+  NodalVector
+  Newmark<dim>::known_acceleration(const SystemState<dim> &from,
+                                   const double            tau) const
+  {
+    NodalVector a = from.velocity;
+    a.sadd(2. / tau, 1., from.acceleration);
+    return a;
+  }
+
+
+
+  template class Newmark<2>;
+  template class Newmark<3>;
 } // namespace StickSlip

@@ -8,103 +8,269 @@
 #include <stickslip/faults/contact_pressure.h>
 #include <stickslip/problem/rigid_body_modes.h>
 #include <stickslip/problem/shear_traction.h>
+#include <stickslip/time/backward_differences.h>
+#include <stickslip/time/newmark.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** Reason why a step cannot be used; the same on all processes. */
+    struct StepFailure : public std::runtime_error
+    {
+      using std::runtime_error::runtime_error;
+    };
+
+
+
+    template <int dim>
+    std::unique_ptr<TimeScheme<dim>>
+    make_time_scheme(const Inertia inertia)
+    {
+      if (inertia == Inertia::dynamic)
+        return std::make_unique<Newmark<dim>>();
+      return std::make_unique<BackwardDifferences<dim>>();
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<NonsmoothSolver<dim>>
+    make_rate_solver(SpatialProblem<dim>   &problem,
+                     const RateSolver       method,
+                     const TNNMGParameters &parameters)
+    {
+      if (method == RateSolver::condensed_newton)
+        return std::make_unique<CondensedSolver<dim>>(problem.hierarchy(),
+                                                      parameters);
+      if (parameters.linear_correction == LinearCorrectionType::amg)
+        return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
+                                                  parameters,
+                                                  rigid_body_modes(problem));
+      return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
+                                                parameters);
+    }
+  } // namespace
+
+
+
   template <int dim>
-  RateStateStep<dim>::RateStateStep(
-    SpatialProblem<dim>        &problem,
-    FaultNodes<dim>            &fault_nodes,
-    const TimeParameters       &time_parameters,
-    const TNNMGParameters      &tnnmg_parameters,
-    const FollowingStress<dim> &following_stress)
+  RateStateStep<dim>::RateStateStep(SpatialProblem<dim>   &problem,
+                                    const FaultNodes<dim> &faults,
+                                    const NodeLaws        &laws,
+                                    const TimeParameters  &time_parameters,
+                                    const TNNMGParameters &tnnmg_parameters,
+                                    const FollowingStress<dim> &following)
     : problem(problem)
-    , faults(fault_nodes)
+    , fault_nodes(faults)
+    , node_laws(laws)
     , time_parameters(time_parameters)
     , tnnmg_parameters(tnnmg_parameters)
-    , following_stress(following_stress)
-    , generalised_alpha(time_parameters.spectral_radius)
-    , formula(choose_formula(time_parameters))
-  {
-    reinit();
-  }
+    , following(following)
+    , time_scheme(make_time_scheme<dim>(time_parameters.inertia))
+    , friction(
+        make_fault_friction(faults, laws, std::vector<double>(faults.size())))
+    , solver(make_rate_solver(problem,
+                              time_parameters.rate_solver,
+                              tnnmg_parameters))
+  {}
 
 
 
   template <int dim>
-  void
-  RateStateStep<dim>::reinit()
+  StepResult<dim>
+  RateStateStep<dim>::take(const SystemState<dim> &from,
+                           const double            tau,
+                           const Prediction<dim>  *prediction)
   {
-    // The old one may refer to levels that are gone.
-    solver.reset();
-    if (time_parameters.rate_solver == RateSolver::condensed_newton)
-      solver = std::make_unique<CondensedSolver<dim>>(problem.hierarchy(),
-                                                      tnnmg_parameters);
-    else if (tnnmg_parameters.linear_correction == LinearCorrectionType::amg)
-      solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
-                                                  tnnmg_parameters,
-                                                  rigid_body_modes(problem));
-    else
-      solver = std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
-                                                  tnnmg_parameters);
-  }
-
-
-
-  template <int dim>
-  typename RateStateStep<dim>::Formula
-  RateStateStep<dim>::choose_formula(const TimeParameters &parameters)
-  {
-    if (parameters.inertia != Inertia::dynamic)
-      return Formula::backward_differences;
-    return parameters.scheme == TimeScheme::newmark ?
-             Formula::newmark :
-             Formula::generalised_alpha;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  RateStateStep<dim>::operator_coefficients(const SystemState<dim> &from,
-                                            const double            tau) const
-  {
-    switch (formula)
+    StepResult<dim> result;
+    result.step_size         = tau;
+    SystemState<dim> &to     = result.state;
+    StepCounts       &counts = result.counts;
+    try
       {
-        case Formula::newmark:
-          return Newmark::operator_coefficients(tau);
-        case Formula::generalised_alpha:
-          return generalised_alpha.operator_coefficients(tau);
-        case Formula::backward_differences:
-          return BackwardDifferences::operator_coefficients(from, tau);
+        const NodalVector rhs =
+          time_scheme->right_hand_side(problem, from, tau);
+        to            = predict(from, tau, prediction);
+        NodalVector w = unknowns(to);
+        problem.combine(
+          time_scheme->operator_coefficients(tau, from.last_step));
+        solver->start(rhs, w);
+
+        SolveSummary rate;
+        bool         settled = false;
+        while (!settled)
+          {
+            rate = solve_rate(to, rhs, w, rate);
+            ++counts.rate_state_iterations;
+            counts.tnnmg_iterations += rate.iterations.size();
+            counts.multigrid_cycles += rate.n_cycles();
+            const double of_state  = update_state(to, from, w, tau);
+            const double of_stress = follow_pressure(to, rhs, w);
+            settled                = have_settled(rate,
+                                   std::hypot(of_state, of_stress),
+                                   counts.rate_state_iterations);
+          }
+        complete(to, from, tau, rhs, w);
+        result.converged = true;
       }
-    AssertThrow(false, ExcInternalError());
-    return {};
+    catch (const SingularMatrix &error)
+      {
+        result.failure = error.what();
+      }
+    catch (const StepFailure &error)
+      {
+        result.failure = error.what();
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  SystemState<dim>
+  RateStateStep<dim>::predict(const SystemState<dim> &from,
+                              const double            tau,
+                              const Prediction<dim>  *prediction) const
+  {
+    SystemState<dim> to;
+    to.time          = from.time + tau;
+    to.alpha         = prediction ? prediction->alpha : from.alpha;
+    to.normal_stress = from.normal_stress;
+    if (following.is_needed())
+      {
+        to.contact_pressure =
+          prediction ? prediction->contact_pressure : from.contact_pressure;
+        to.normal_stress =
+          following.normal_stress(from.normal_stress, to.contact_pressure);
+      }
+    to.velocity = prediction ? prediction->velocity : from.velocity;
+    problem.boundary_values().set_velocities(to.time, to.velocity);
+    return to;
   }
 
 
 
   template <int dim>
   NodalVector
-  RateStateStep<dim>::right_hand_side(const SystemState<dim> &from,
-                                      const double            tau) const
+  RateStateStep<dim>::unknowns(const SystemState<dim> &to) const
   {
-    switch (formula)
+    NodalVector w = problem.make_vector();
+    problem.to_jumps(w, to.velocity);
+    problem.set_known_jumps(to.time, w);
+    return w;
+  }
+
+
+
+  template <int dim>
+  SolveSummary
+  RateStateStep<dim>::solve_rate(const SystemState<dim> &to,
+                                 const NodalVector      &rhs,
+                                 NodalVector            &w,
+                                 const SolveSummary     &before)
+  {
+    friction->set_normal_stresses(
+      fault_nodes.at_owned_contact(to.normal_stress));
+    friction->set_state(fault_nodes.at_owned_contact(to.alpha));
+
+    SolveSummary rate;
+    if (is_nested())
+      rate = solver->solve(*friction, rhs, w);
+    else
       {
-        case Formula::newmark:
-          return Newmark::right_hand_side(problem, from, tau);
-        case Formula::generalised_alpha:
-          return generalised_alpha.right_hand_side(problem, from, tau);
-        case Formula::backward_differences:
-          return BackwardDifferences::right_hand_side(problem, from, tau);
+        rate.iterations.push_back(solver->iterate(*friction, rhs, w));
+        rate.converged = solver->has_converged(rate.iterations.back(),
+                                               before.iterations.empty() ?
+                                                 nullptr :
+                                                 &before.iterations.back());
       }
-    AssertThrow(false, ExcInternalError());
-    return {};
+    if (tnnmg_parameters.print_iterations &&
+        Utilities::MPI::this_mpi_process(w.get_mpi_communicator()) == 0)
+      std::cout << rate;
+    return rate;
+  }
+
+
+
+  template <int dim>
+  double
+  RateStateStep<dim>::update_state(SystemState<dim>       &to,
+                                   const SystemState<dim> &from,
+                                   const NodalVector      &w,
+                                   const double            tau) const
+  {
+    const std::vector<Tensor<1, dim - 1>> slip_rate =
+      fault_nodes.tangential_jumps(w);
+    std::vector<double> change(to.alpha.size());
+    for (unsigned int k = 0; k < to.alpha.size(); ++k)
+      {
+        const FaultLaw &law   = node_laws[k];
+        double          alpha = from.alpha[k];
+        if (law.has_state)
+          {
+            const double V =
+              time_parameters.state_update == StateUpdate::exponential ?
+                0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
+                magnitude(slip_rate[k]);
+            alpha = updated_state(law.state_law,
+                                  time_parameters.state_update,
+                                  from.alpha[k],
+                                  V,
+                                  law.characteristic_slip,
+                                  tau);
+          }
+        change[k]   = alpha - to.alpha[k];
+        to.alpha[k] = alpha;
+      }
+    return fault_nodes.l2_norm(change);
+  }
+
+
+
+  template <int dim>
+  double
+  RateStateStep<dim>::follow_pressure(SystemState<dim>  &to,
+                                      const NodalVector &rhs,
+                                      NodalVector       &w)
+  {
+    if (!following.is_needed())
+      return 0.;
+    // The reaction is that of complete velocities.
+    finish_rate(rhs, w);
+    to.contact_pressure              = contact_pressure(rhs, w);
+    const std::vector<double> before = to.normal_stress;
+    to.normal_stress = following.normal_stress(before, to.contact_pressure);
+    return fault_nodes.l2_norm(
+      relative_stress_change(fault_nodes, node_laws, before, to.normal_stress));
+  }
+
+
+
+  template <int dim>
+  bool
+  RateStateStep<dim>::have_settled(const SolveSummary &rate,
+                                   const double        change,
+                                   const unsigned int  n_iterations) const
+  {
+    if (!std::isfinite(change) ||
+        !std::isfinite(rate.iterations.back().correction_norm))
+      throw StepFailure("the solution is not a number");
+    if (is_nested() && !rate.converged)
+      throw StepFailure("the rate problem was not solved within " +
+                        std::to_string(rate.iterations.size()) + " iterations");
+    if (rate.converged && change <= time_parameters.rate_state_tolerance)
+      return true;
+    if (n_iterations >= time_parameters.max_rate_state_iterations)
+      throw StepFailure("rate and state did not settle within " +
+                        std::to_string(n_iterations) + " iterations");
+    return false;
   }
 
 
@@ -113,50 +279,34 @@ namespace StickSlip
   void
   RateStateStep<dim>::complete(SystemState<dim>       &to,
                                const SystemState<dim> &from,
-                               const double            tau) const
+                               const double            tau,
+                               const NodalVector      &rhs,
+                               NodalVector            &w)
   {
-    if (formula == Formula::backward_differences)
+    if (!following.is_needed())
       {
-        BackwardDifferences::complete(to, from, tau);
-        return;
+        finish_rate(rhs, w);
+        if (!from.contact_pressure.empty())
+          to.contact_pressure = contact_pressure(rhs, w);
       }
-    if (formula == Formula::newmark)
-      Newmark::complete(to, from, tau);
-    else
-      generalised_alpha.complete(to, from, tau);
-    to.slip = from.slip;
-    for (unsigned int k = 0; k < to.slip.size(); ++k)
-      to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);
+    problem.to_nodal(to.velocity, w);
+    to.slip_rate          = fault_nodes.tangential_jumps(w);
+    to.balancing_traction = balancing_tractions(
+      fault_nodes, node_laws, to, problem.hierarchy().matrix(), rhs, w);
+    time_scheme->complete(to, from, tau);
+    if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
+      throw StepFailure("the solution is not a number");
   }
 
 
 
   template <int dim>
-  std::vector<double>
-  RateStateStep<dim>::update_state(const SystemState<dim> &from,
-                                   const NodalVector      &w,
-                                   const double            tau) const
+  void
+  RateStateStep<dim>::finish_rate(const NodalVector &rhs, NodalVector &w)
   {
-    const std::vector<Tensor<1, dim - 1>> slip_rate =
-      faults.tangential_jumps(w);
-    std::vector<double> alpha = from.alpha;
-    for (unsigned int k = 0; k < alpha.size(); ++k)
-      {
-        const FaultLaw &law = faults.law(k);
-        if (!law.has_state)
-          continue;
-        const double V =
-          time_parameters.state_update == StateUpdate::exponential ?
-            0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
-            magnitude(slip_rate[k]);
-        alpha[k] = updated_state(law.state_law,
-                                 time_parameters.state_update,
-                                 from.alpha[k],
-                                 V,
-                                 law.characteristic_slip,
-                                 tau);
-      }
-    return alpha;
+    // A whole solve has done so.
+    if (!is_nested())
+      solver->finish(rhs, w);
   }
 
 
@@ -177,142 +327,37 @@ namespace StickSlip
 
 
   template <int dim>
-  SolveSummary
-  RateStateStep<dim>::improve(const NodalVector      &rhs,
-                              NodalVector            &w,
-                              const IterationSummary *before)
+  bool
+  RateStateStep<dim>::is_nested() const
   {
-    if (time_parameters.rate_state_method == RateStateMethod::nested)
-      return solver->solve(faults.friction(), rhs, w);
-    SolveSummary summary;
-    summary.iterations.push_back(solver->iterate(faults.friction(), rhs, w));
-    summary.converged =
-      solver->has_converged(summary.iterations.back(), before);
-    return summary;
+    return time_parameters.rate_state_method == RateStateMethod::nested;
   }
 
 
 
   template <int dim>
-  StepResult<dim>
-  RateStateStep<dim>::take(const SystemState<dim> &from,
-                           const double            tau,
-                           const Prediction<dim>  *prediction)
+  const FaultNodes<dim> &
+  RateStateStep<dim>::faults() const
   {
-    StepResult<dim> result;
-    result.step_size          = tau;
-    SystemState<dim> &to      = result.state;
-    StepCounts       &counts  = result.counts;
-    to.time                   = from.time + tau;
-    to.alpha                  = prediction ? prediction->alpha : from.alpha;
-    const NodalVector rhs     = right_hand_side(from, tau);
-    const bool        follows = following_stress.is_needed();
-    if (follows)
-      {
-        to.contact_pressure =
-          prediction ? prediction->contact_pressure : from.contact_pressure;
-        following_stress.apply(faults, to.contact_pressure);
-      }
+    return fault_nodes;
+  }
 
-    // The unknown starts from the prediction, with what is prescribed.
-    to.velocity = prediction ? prediction->velocity : from.velocity;
-    problem.boundary_values().set_velocities(to.time, to.velocity);
-    NodalVector w = problem.make_vector();
-    problem.to_jumps(w, to.velocity);
-    problem.set_known_jumps(to.time, w);
 
-    problem.combine(operator_coefficients(from, tau));
-    try
-      {
-        solver->start(rhs, w);
-      }
-    catch (const SingularMatrix &error)
-      {
-        result.failure = error.what();
-      }
-    const bool nested =
-      (time_parameters.rate_state_method == RateStateMethod::nested);
-    SolveSummary rate;
-    while (!result.converged && result.failure.empty())
-      {
-        faults.set_state(to.alpha);
-        try
-          {
-            IterationSummary before;
-            const bool       is_first = rate.iterations.empty();
-            if (!is_first)
-              before = rate.iterations.back();
-            rate = improve(rhs, w, is_first ? nullptr : &before);
-          }
-        catch (const SingularMatrix &error)
-          {
-            result.failure = error.what();
-            break;
-          }
-        if (nested && !rate.converged)
-          result.failure = "the rate problem was not solved within " +
-                           std::to_string(rate.iterations.size()) +
-                           " iterations";
-        if (tnnmg_parameters.print_iterations &&
-            Utilities::MPI::this_mpi_process(w.get_mpi_communicator()) == 0)
-          std::cout << rate;
-        ++counts.rate_state_iterations;
-        counts.tnnmg_iterations += rate.iterations.size();
-        counts.multigrid_cycles += rate.n_cycles();
 
-        std::vector<double> alpha  = update_state(from, w, tau);
-        std::vector<double> change = alpha;
-        for (unsigned int k = 0; k < change.size(); ++k)
-          change[k] -= to.alpha[k];
-        to.alpha          = std::move(alpha);
-        double difference = faults.l2_norm(change);
-        if (follows)
-          {
-            // The reaction is that of complete velocities.
-            if (!nested)
-              solver->finish(rhs, w);
-            to.contact_pressure = contact_pressure(rhs, w);
-            difference          = std::hypot(difference,
-                                    faults.l2_norm(following_stress.apply(
-                                      faults, to.contact_pressure)));
-          }
-        if (!std::isfinite(difference) ||
-            !std::isfinite(rate.iterations.back().correction_norm))
-          result.failure = "the solution is not a number";
-        else if (result.failure.empty())
-          {
-            result.converged =
-              rate.converged &&
-              difference <= time_parameters.rate_state_tolerance;
-            if (!result.converged &&
-                counts.rate_state_iterations >=
-                  time_parameters.max_rate_state_iterations)
-              result.failure = "rate and state did not settle within " +
-                               std::to_string(counts.rate_state_iterations) +
-                               " iterations";
-          }
-      }
-    totals += counts;
-    ++steps;
-    if (!result.converged)
-      return result;
+  template <int dim>
+  const NodeLaws &
+  RateStateStep<dim>::laws() const
+  {
+    return node_laws;
+  }
 
-    // Where the normal stress follows, that has been done.
-    if (!nested && !follows)
-      solver->finish(rhs, w);
-    if (!follows && !from.contact_pressure.empty())
-      to.contact_pressure = contact_pressure(rhs, w);
-    problem.to_nodal(to.velocity, w);
-    to.slip_rate = faults.tangential_jumps(w);
-    to.balancing_traction =
-      balancing_tractions(faults, to, problem.hierarchy().matrix(), rhs, w);
-    complete(to, from, tau);
-    if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
-      {
-        result.converged = false;
-        result.failure   = "the solution is not a number";
-      }
-    return result;
+
+
+  template <int dim>
+  const TimeScheme<dim> &
+  RateStateStep<dim>::scheme() const
+  {
+    return *time_scheme;
   }
 
 
@@ -322,24 +367,6 @@ namespace StickSlip
   RateStateStep<dim>::longest_ramp() const
   {
     return problem.longest_ramp();
-  }
-
-
-
-  template <int dim>
-  const StepCounts &
-  RateStateStep<dim>::total_counts() const
-  {
-    return totals;
-  }
-
-
-
-  template <int dim>
-  unsigned long
-  RateStateStep<dim>::n_steps() const
-  {
-    return steps;
   }
 
 

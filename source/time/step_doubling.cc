@@ -35,13 +35,15 @@ namespace StickSlip
 
   template <int dim>
   StepResult<dim>
-  StepDoubling<dim>::large_step(const SystemState<dim> &state, const double tau)
+  StepDoubling<dim>::large_step(const SystemState<dim> &state,
+                                StepMemory<dim>        &memory,
+                                const double            tau) const
   {
-    if (!before)
-      return this->step.take(state, tau);
+    if (!memory.before)
+      return this->take(memory, state, tau);
     const Prediction<dim> prediction =
-      on_line_through(*before, state, state.time + tau);
-    return this->step.take(state, tau, &prediction);
+      on_line_through(*memory.before, state, state.time + tau);
+    return this->take(memory, state, tau, &prediction);
   }
 
 
@@ -51,46 +53,50 @@ namespace StickSlip
   StepDoubling<dim>::small_step(const SystemState<dim> &start,
                                 const SystemState<dim> &from,
                                 const SystemState<dim> &large,
-                                const double            tau)
+                                StepMemory<dim>        &memory,
+                                const double            tau) const
   {
     const Prediction<dim> prediction =
       on_line_through(start, large, from.time + tau);
-    return this->step.take(from, tau, &prediction);
+    return this->take(memory, from, tau, &prediction);
   }
 
 
 
   template <int dim>
   std::vector<StepResult<dim>>
-  StepDoubling<dim>::advance(const SystemState<dim> &state)
+  StepDoubling<dim>::accepted_steps(const SystemState<dim> &state,
+                                    StepMemory<dim>        &memory)
   {
-    double                         tau = std::min(this->proposed,
-                          this->limit(state.time, 2. * this->proposed) / 2.);
+    double tau =
+      std::min(memory.proposed,
+               this->limit(memory, state.time, 2. * memory.proposed) / 2.);
     std::optional<StepResult<dim>> large;
     while (true)
       {
         StepResult<dim> first, second;
         std::string     reason;
         if (!large)
-          large = large_step(state, 2. * tau);
+          large = large_step(state, memory, 2. * tau);
         if (large->converged)
-          first = small_step(state, state, large->state, tau);
+          first = small_step(state, state, large->state, memory, tau);
         if (first.converged)
-          second = small_step(state, first.state, large->state, tau);
+          second = small_step(state, first.state, large->state, memory, tau);
         if (second.converged)
           {
             std::vector<double> alpha_difference = second.state.alpha;
             for (unsigned int k = 0; k < alpha_difference.size(); ++k)
               alpha_difference[k] -= large->state.alpha[k];
-            const double difference = this->faults.l2_norm(alpha_difference);
-            const double threshold  = this->parameters.doubling_threshold;
+            const double difference =
+              this->step.faults().l2_norm(alpha_difference);
+            const double threshold = this->parameters.doubling_threshold;
             if (difference <= threshold)
               {
-                this->proposed = tau;
+                memory.proposed = tau;
                 if (growth * difference <= threshold)
-                  this->proposed =
+                  memory.proposed =
                     std::min(2. * tau, this->parameters.largest_step);
-                before = state;
+                memory.before = state;
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(first));
                 accepted.push_back(std::move(second));
@@ -108,7 +114,7 @@ namespace StickSlip
         else
           large.reset();
         tau /= 2.;
-        this->reject(state.time, tau, reason);
+        this->reject(memory, state.time, tau, reason);
       }
   }
 

@@ -3,7 +3,6 @@
 
 #include <stickslip/base/magnitude.h>
 #include <stickslip/problem/shear_traction.h>
-#include <stickslip/time/backward_differences.h>
 #include <stickslip/time/step_history.h>
 
 #include <algorithm>
@@ -12,32 +11,28 @@
 namespace StickSlip
 {
   template <int dim>
-  StepHistory<dim>::StepHistory(const FaultNodes<dim> &faults,
-                                const Inertia          inertia)
+  StepHistory<dim>::StepHistory(const FaultNodes<dim>       &faults,
+                                const NodeLaws              &laws,
+                                const TimeScheme<dim>       &scheme,
+                                std::vector<PastState<dim>> &records)
     : faults(faults)
-    , inertia(inertia)
+    , laws(laws)
+    , scheme(scheme)
+    , records(records)
   {}
 
 
 
   template <int dim>
-  bool
-  StepHistory<dim>::is_empty() const
-  {
-    return records.empty();
-  }
-
-
-
-  template <int dim>
-  typename StepHistory<dim>::Record
+  PastState<dim>
   StepHistory<dim>::record(const SystemState<dim> &state) const
   {
-    Record result;
+    PastState<dim> result;
     result.time             = state.time;
     result.velocity         = state.velocity;
     result.alpha            = state.alpha;
     result.slip_rate        = state.slip_rate;
+    result.normal_stress    = state.normal_stress;
     result.contact_pressure = state.contact_pressure;
     result.state_rate.resize(faults.size());
     result.friction.resize(faults.size());
@@ -45,14 +40,14 @@ namespace StickSlip
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
         result.in_contact[k] = faults.in_contact(k);
-        const FaultLaw &law  = faults.law(k);
+        const FaultLaw &law  = laws[k];
         const double    V    = magnitude(state.slip_rate[k]);
         if (law.has_state)
           result.state_rate[k] = state_rate(law.state_law,
                                             state.alpha[k],
                                             V,
                                             law.characteristic_slip);
-        result.friction[k] = directed_friction(faults, state, k);
+        result.friction[k] = directed_friction(faults, laws, state, k);
       }
     return result;
   }
@@ -61,7 +56,7 @@ namespace StickSlip
 
   template <int dim>
   void
-  StepHistory<dim>::add(Record &&newest)
+  StepHistory<dim>::add(PastState<dim> &&newest)
   {
     records.insert(records.begin(), std::move(newest));
     records.resize(std::min<std::size_t>(records.size(), 3));
@@ -117,7 +112,7 @@ namespace StickSlip
 
   template <int dim>
   std::vector<double>
-  StepHistory<dim>::state_errors(const Record &now) const
+  StepHistory<dim>::state_errors(const PastState<dim> &now) const
   {
     const double h = now.time - records[0].time;
     // Without a past there is only the forward Euler prediction: its error is
@@ -135,7 +130,7 @@ namespace StickSlip
 
   template <int dim>
   double
-  StepHistory<dim>::estimate_error(const Record &now) const
+  StepHistory<dim>::estimate_error(const PastState<dim> &now) const
   {
     const double state_error = faults.l2_norm(state_errors(now));
     if (records.size() < 3)
@@ -144,9 +139,7 @@ namespace StickSlip
     const double h  = now.time - records[0].time;
     const double h1 = records[0].time - records[1].time;
     const double h2 = records[1].time - records[2].time;
-    const double c0 = inertia == Inertia::dynamic ?
-                        h * h * h / 12. :
-                        BackwardDifferences::error_constant(h, h1);
+    const double c0 = scheme.error_constant(h, h1);
     const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
     // Lagrange weights of the quadratic through the last three values.
     const double w0        = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
@@ -158,7 +151,8 @@ namespace StickSlip
                        w2 * (records[2].*values)[k]);
     };
 
-    std::vector<double>              errors(faults.size());
+    const std::vector<double> stress = faults.over_mean(now.normal_stress);
+    std::vector<double>       errors(faults.size());
     const std::vector<unsigned int> &first = faults.first_of_fault();
     for (unsigned int f = 0; f + 1 < first.size(); ++f)
       {
@@ -173,15 +167,15 @@ namespace StickSlip
           if (records[0].in_contact[k] && records[1].in_contact[k] &&
               records[2].in_contact[k])
             {
-              const FaultLaw &law = faults.law(k);
+              const FaultLaw &law = laws[k];
               if (law.is_prescribed)
                 continue;
-              double error = deviation(&Record::slip_rate, k) /
+              double error = deviation(&PastState<dim>::slip_rate, k) /
                              std::max(fastest, law.characteristic_slip / h);
               if (const double scale = law.friction->rate_scale(); scale > 0.)
                 error = std::min(error,
-                                 deviation(&Record::friction, k) *
-                                   faults.relative_normal_stress()[k] / scale);
+                                 deviation(&PastState<dim>::friction, k) *
+                                   stress[k] / scale);
               errors[k] = error * c0 / (cc + c0);
             }
       }

@@ -3,7 +3,6 @@
 
 #include <stickslip/time/embedded_control.h>
 #include <stickslip/time/step_doubling.h>
-#include <stickslip/time/step_history.h>
 #include <stickslip/time/step_size_control.h>
 
 #include <algorithm>
@@ -13,19 +12,26 @@
 namespace StickSlip
 {
   template <int dim>
-  StepSizeController<dim>::StepSizeController(RateStateStep<dim>    &step,
-                                              const FaultNodes<dim> &faults,
-                                              const TimeParameters  &parameters,
-                                              BoundaryValues<dim>   &loads)
+  StepSizeController<dim>::StepSizeController(RateStateStep<dim>   &step,
+                                              const TimeParameters &parameters,
+                                              BoundaryValues<dim>  &loads)
     : step(step)
-    , faults(faults)
     , parameters(parameters)
     , loads(loads)
-    , longest_ramp(step.longest_ramp())
+  {}
+
+
+
+  template <int dim>
+  std::vector<StepResult<dim>>
+  StepSizeController<dim>::advance(const SystemState<dim> &state,
+                                   StepMemory<dim>        &memory)
   {
-    proposed = parameters.control == StepSizeControl::constant ?
-                 parameters.largest_step :
-                 on_grid(parameters.initial_step);
+    if (memory.proposed == 0.)
+      memory.proposed = parameters.control == StepSizeControl::constant ?
+                          parameters.largest_step :
+                          on_grid(parameters.initial_step);
+    return accepted_steps(state, memory);
   }
 
 
@@ -40,19 +46,32 @@ namespace StickSlip
 
 
   template <int dim>
-  unsigned int
-  StepSizeController<dim>::n_rejected() const
+  StepResult<dim>
+  StepSizeController<dim>::take(StepMemory<dim>        &memory,
+                                const SystemState<dim> &from,
+                                const double            tau,
+                                const Prediction<dim>  *prediction) const
   {
-    return rejections;
+    StepResult<dim> result = step.take(from, tau, prediction);
+    ++memory.n_solved;
+    memory.work += result.counts;
+    return result;
   }
 
 
 
   template <int dim>
-  double
-  StepSizeController<dim>::largest_estimated_error() const
+  StepHistory<dim>
+  StepSizeController<dim>::history(StepMemory<dim>        &memory,
+                                   const SystemState<dim> &state) const
   {
-    return largest_error;
+    StepHistory<dim> result(step.faults(),
+                            step.laws(),
+                            step.scheme(),
+                            memory.past);
+    if (memory.past.empty())
+      result.add(result.record(state));
+    return result;
   }
 
 
@@ -71,16 +90,20 @@ namespace StickSlip
 
   template <int dim>
   double
-  StepSizeController<dim>::limit(const double time, const double tau) const
+  StepSizeController<dim>::limit(StepMemory<dim> &memory,
+                                 const double     time,
+                                 const double     tau) const
   {
-    double       limited   = tau;
-    const double remaining = parameters.end_time - time;
+    const double longest_ramp = step.longest_ramp();
+    double       limited      = tau;
+    const double remaining    = parameters.end_time - time;
     if (time < longest_ramp && parameters.control != StepSizeControl::constant)
       limited =
         std::min(limited, on_grid(parameters.ramp_fraction * longest_ramp));
     else if (parameters.control != StepSizeControl::constant)
       while (limited / 2. >= parameters.initial_step &&
-             loads.loading_error(time, limited) > parameters.loading_tolerance)
+             loads.loading_error(time, limited, memory.largest_loads) >
+               parameters.loading_tolerance)
         limited = on_grid(limited / 2.);
     if (limited >= remaining * (1. - 1e-12))
       limited = remaining;
@@ -91,11 +114,12 @@ namespace StickSlip
 
   template <int dim>
   void
-  StepSizeController<dim>::reject(const double       time,
+  StepSizeController<dim>::reject(StepMemory<dim>   &memory,
+                                  const double       time,
                                   const double       next_step_size,
-                                  const std::string &reason)
+                                  const std::string &reason) const
   {
-    ++rejections;
+    ++memory.n_rejected;
     if (next_step_size < parameters.smallest_step)
       {
         std::ostringstream message;
@@ -125,41 +149,32 @@ namespace StickSlip
     class ConstantStep : public StepSizeController<dim>
     {
     public:
-      ConstantStep(RateStateStep<dim>    &step,
-                   const FaultNodes<dim> &faults,
-                   const TimeParameters  &parameters,
-                   BoundaryValues<dim>   &loads)
-        : StepSizeController<dim>(step, faults, parameters, loads)
-        , history(faults, parameters.inertia)
-      {}
+      using StepSizeController<dim>::StepSizeController;
 
+    protected:
       std::vector<StepResult<dim>>
-      advance(const SystemState<dim> &state) override
+      accepted_steps(const SystemState<dim> &state,
+                     StepMemory<dim>        &memory) override
       {
-        if (history.is_empty())
-          history.add(history.record(state));
-        double tau = this->limit(state.time, this->proposed);
+        StepHistory<dim> history = this->history(memory, state);
+        double           tau = this->limit(memory, state.time, memory.proposed);
         while (true)
           {
-            StepResult<dim> result = this->step.take(state, tau);
+            StepResult<dim> result = this->take(memory, state, tau);
             if (result.converged)
               {
-                typename StepHistory<dim>::Record now =
-                  history.record(result.state);
-                this->largest_error =
-                  std::max(this->largest_error, history.estimate_error(now));
+                PastState<dim> now = history.record(result.state);
+                memory.largest_error =
+                  std::max(memory.largest_error, history.estimate_error(now));
                 history.add(std::move(now));
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(result));
                 return accepted;
               }
-            this->reject(state.time, tau / 2., result.failure);
+            this->reject(memory, state.time, tau / 2., result.failure);
             tau /= 2.;
           }
       }
-
-    private:
-      StepHistory<dim> history;
     };
   } // namespace
 
@@ -167,28 +182,20 @@ namespace StickSlip
 
   template <int dim>
   std::unique_ptr<StepSizeController<dim>>
-  make_step_size_controller(RateStateStep<dim>    &step,
-                            const FaultNodes<dim> &faults,
-                            const TimeParameters  &parameters,
-                            BoundaryValues<dim>   &loads)
+  make_step_size_controller(RateStateStep<dim>   &step,
+                            const TimeParameters &parameters,
+                            BoundaryValues<dim>  &loads)
   {
     switch (parameters.control)
       {
         case StepSizeControl::embedded:
           return std::make_unique<EmbeddedControl<dim>>(step,
-                                                        faults,
                                                         parameters,
                                                         loads);
         case StepSizeControl::step_doubling:
-          return std::make_unique<StepDoubling<dim>>(step,
-                                                     faults,
-                                                     parameters,
-                                                     loads);
+          return std::make_unique<StepDoubling<dim>>(step, parameters, loads);
         case StepSizeControl::constant:
-          return std::make_unique<ConstantStep<dim>>(step,
-                                                     faults,
-                                                     parameters,
-                                                     loads);
+          return std::make_unique<ConstantStep<dim>>(step, parameters, loads);
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;
@@ -196,12 +203,11 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                        \
-  template class StepSizeController<dim>;                 \
-  template std::unique_ptr<StepSizeController<dim>>       \
-  make_step_size_controller<dim>(RateStateStep<dim> &,    \
-                                 const FaultNodes<dim> &, \
-                                 const TimeParameters &,  \
+#define STICKSLIP_INSTANTIATE(dim)                       \
+  template class StepSizeController<dim>;                \
+  template std::unique_ptr<StepSizeController<dim>>      \
+  make_step_size_controller<dim>(RateStateStep<dim> &,   \
+                                 const TimeParameters &, \
                                  BoundaryValues<dim> &);
 
   STICKSLIP_INSTANTIATE(2)

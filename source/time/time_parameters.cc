@@ -86,23 +86,6 @@ namespace StickSlip
       "message. Without mass there is no matrix of it, and each step "
       "takes backward differences of second order.");
     add_choice(prm,
-               "Scheme",
-               scheme,
-               {{TimeScheme::newmark, "Newmark"},
-                {TimeScheme::generalised_alpha, "generalised alpha"}},
-               "How displacement and velocity are advanced by a step: by "
-               "Newmark's method, which damps nothing (Newmark), or by the "
-               "generalised-alpha method, which damps oscillations that are "
-               "too fast for the step size. Both are of second order. For "
-               "Inertia = dynamic.");
-    add_number(prm,
-               "Spectral radius at infinity",
-               spectral_radius,
-               NumberRange().at_least(0).at_most(1),
-               "What the generalised-alpha method leaves of the fastest "
-               "oscillations after a step, without unit: 1 damps nothing and "
-               "is Newmark's method, 0 damps most.");
-    add_choice(prm,
                "State update",
                state_update,
                {{StateUpdate::exponential, "exponential"},

@@ -1,24 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Oscillations after the first event of the spring slider, with and without
-numerical damping."""
+"""Oscillations after the first event of the spring slider without viscosity."""
 
 import h5py
 import numpy as np
 
 from .run import run
 from .scene import slider, text
-
-SCHEMES = {
-    "Newmark": {},
-    **{
-        f"generalised alpha, {rho:g}": {
-            "Time/Scheme": "generalised alpha",
-            "Time/Spectral radius at infinity": f"{rho:g}",
-        }
-        for rho in (0.8, 0.5, 0.0)
-    },
-}
 
 # The event begins at 22.276 s.
 BEGINS, LENGTH, SAMPLES = (22.33, 22.5), 0.1, 4096
@@ -27,7 +15,7 @@ BEGINS, LENGTH, SAMPLES = (22.33, 22.5), 0.1, 4096
 HIGH = 300.0
 
 
-def scene(scheme):
+def scene():
     """Without viscosity, with a record of every step."""
     elastic = {
         f"Bodies/{body}/Material/{kind} viscosity": "0"
@@ -36,7 +24,7 @@ def scene(scheme):
     }
     return slider(
         BEGINS[-1] + LENGTH + 0.05,
-        SCHEMES[scheme] | elastic | {
+        elastic | {
             "Output/Fault shortest interval": "0",
             "Output/Fault slip rate factor": "1.0000001",
         },
@@ -72,14 +60,12 @@ def analyse(folder, begin):
 
 
 def measure(program, folder):
-    """Print a line for each scheme."""
-    for scheme in SCHEMES:
-        result = run(program, text(scene(scheme)), folder, 600)
-        print(
-            scheme,
-            result.message or result.number("Steps/accepted"),
-            *result.events[:1],
-            result.number("Energy/missing, over the largest work"),
-            *(analyse(folder, begin) for begin in BEGINS),
-            flush=True,
-        )
+    """Print a line."""
+    result = run(program, text(scene()), folder, 600)
+    print(
+        result.message or result.number("Steps/accepted"),
+        *result.events[:1],
+        result.number("Energy/missing, over the largest work"),
+        *(analyse(folder, begin) for begin in BEGINS),
+        flush=True,
+    )

@@ -72,7 +72,7 @@ namespace StickSlip
   private:
     std::vector<std::vector<types::global_dof_index>> nodes_of_level;
 
-    /** Of the nodes of the finest level, slave relative to master. */
+    /** Rates at the nodes of the finest level, slave relative to master. */
     std::vector<SlipRate<dim>> finest_rates;
   };
 } // namespace StickSlip

@@ -17,6 +17,13 @@
 namespace StickSlip
 {
   /**
+   * The largest values met of loads that depend on time, for each side with
+   * a boundary condition and each component, m/s or Pa; empty at the start.
+   */
+  template <int dim>
+  using LargestLoads = std::vector<std::array<double, dim>>;
+
+  /**
    * The boundary conditions of a scene on its meshes: the components that they
    * fix on each level, and their values. All components of a rigid body are
    * fixed, with the velocity that is given for one of its sides, or none.
@@ -56,19 +63,19 @@ namespace StickSlip
      * The error of a step from @p time on if all that is known of the loads are
      * their values at its two ends: of the displacement of driven sides, and of
      * the impulse of tractions, compared with Simpson's rule, over the step
-     * size and the largest value met so far on the same side. Zero for loads
-     * that do not depend on time. Collective.
+     * size and the largest value met so far on the same side, which is kept in
+     * @p largest. Zero for loads that do not depend on time. Collective.
      */
     double
-    loading_error(const double time, const double tau);
+    loading_error(const double       time,
+                  const double       tau,
+                  LargestLoads<dim> &largest);
 
   private:
     struct Side
     {
-      /** Components whose values depend on time, and the largest value of
-       * each met so far. */
-      std::array<bool, dim>   varies;
-      std::array<double, dim> largest;
+      /** Components whose values depend on time. */
+      std::array<bool, dim> varies;
 
       unsigned int                                          body;
       BoundaryCondition<dim>                                condition;

@@ -39,6 +39,57 @@ namespace StickSlip
     /** x of the fastest node when the fastest node's slip rate last rose above
      * the threshold before the event, m. */
     double nucleation_x = nan;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &fault &start &peak_time &end &peak_mean_slip_rate &peak_slip_rate
+        &mean_slip &nucleation_x;
+    }
+  };
+
+  /**
+   * Memory of a catalogue of events from step to step.
+   */
+  struct EventState
+  {
+    /** The last step as one fault took part in it, and its event, if that is
+     * open. */
+    struct Fault
+    {
+      std::string     name;
+      bool            has_past = false;
+      double          time     = 0;
+      FaultStatistics statistics;
+      double          nucleation_x = FaultStatistics::nan;
+      bool            is_open      = false;
+      double          start_slip   = 0;
+      SlipEvent       event;
+
+      /** Members to or from a boost archive. */
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &name &has_past &time &statistics &nucleation_x &is_open
+          &start_slip &event;
+      }
+    };
+
+    std::vector<Fault> faults;
+
+    /** Events that have ended. */
+    std::vector<SlipEvent> written;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &faults &written;
+    }
   };
 
   /**
@@ -84,31 +135,33 @@ namespace StickSlip
     const std::vector<SlipEvent> &
     events() const;
 
-  private:
-    struct FaultRecord
-    {
-      std::string     name;
-      bool            has_past = false;
-      double          time     = 0;
-      FaultStatistics statistics;
-      double          nucleation_x = FaultStatistics::nan;
-      bool            is_open      = false;
-      double          start_slip   = 0;
-      SlipEvent       event;
-    };
+    /**
+     * Memory of all that has been taken in.
+     */
+    const EventState &
+    state() const;
 
+    /**
+     * Go on from the state of another catalogue, before anything is taken in;
+     * its events are written.
+     */
     void
-    add(FaultRecord &record, const double time, const FaultStatistics &now);
+    resume(const EventState &state);
+
+  private:
+    void
+    add(EventState::Fault     &record,
+        const double           time,
+        const FaultStatistics &now);
 
     void
     write(const SlipEvent &event);
 
-    std::ofstream            file;
-    std::string              file_name;
-    double                   start_slip_rate;
-    double                   end_slip_rate;
-    std::vector<FaultRecord> records;
-    std::vector<SlipEvent>   written;
+    std::ofstream file;
+    std::string   file_name;
+    double        start_slip_rate;
+    double        end_slip_rate;
+    EventState    memory;
   };
 } // namespace StickSlip
 

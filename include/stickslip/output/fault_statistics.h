@@ -35,6 +35,15 @@ namespace StickSlip
 
     /** x of the (first) node of largest slip rate, m. */
     double x_of_max_slip_rate = nan;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &max_slip_rate &mean_slip_rate &min_slip_rate &mean_slip
+        &mean_state &mean_shear_traction &x_of_max_slip_rate;
+    }
   };
 
   /**

@@ -7,6 +7,24 @@
 namespace StickSlip
 {
   /**
+   * Memory of the last time that something was written.
+   */
+  struct CadenceState
+  {
+    bool   has_written = false;
+    double time        = 0;
+    double slip_rate   = 0;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &has_written &time &slip_rate;
+    }
+  };
+
+  /**
    * Decides after which steps something is written: often while the slip rate
    * changes fast, rarely while nothing happens.
    */
@@ -38,15 +56,25 @@ namespace StickSlip
     void
     note_written(const double time, const double slip_rate);
 
+    /**
+     * Memory of the last time that something was written.
+     */
+    const CadenceState &
+    state() const;
+
+    /**
+     * Go on from another cadence's state.
+     */
+    void
+    resume(const CadenceState &state);
+
   private:
     double slip_rate_factor;
     double slip_interval;
     double shortest_interval;
     double longest_interval;
 
-    bool   has_written    = false;
-    double last_time      = 0;
-    double last_slip_rate = 0;
+    CadenceState last;
   };
 } // namespace StickSlip
 

@@ -11,6 +11,11 @@
 namespace StickSlip
 {
   /**
+   * Times, s, and names of VTU (or PVTU) files.
+   */
+  using VolumeEntries = std::vector<std::pair<double, std::string>>;
+
+  /**
    * The list of VTU (or PVTU) files with their times that ParaView opens as one
    * animation. The file is complete at any moment.
    */
@@ -26,9 +31,17 @@ namespace StickSlip
     void
     add(const double time, const std::string &vtu_file_name);
 
+    /** The files added so far. */
+    const VolumeEntries &
+    entries() const;
+
+    /** Begin with the files of another list. */
+    void
+    resume(const VolumeEntries &entries);
+
   private:
-    std::string                                 file_name;
-    std::vector<std::pair<double, std::string>> entries;
+    std::string   file_name;
+    VolumeEntries files;
   };
 } // namespace StickSlip
 

@@ -6,6 +6,7 @@
 
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/node_laws.h>
 #include <stickslip/problem/system_state.h>
 
 namespace StickSlip
@@ -26,6 +27,7 @@ namespace StickSlip
   template <int dim>
   Tensor<1, dim - 1>
   directed_friction(const FaultNodes<dim>  &faults,
+                    const NodeLaws         &laws,
                     const SystemState<dim> &state,
                     const unsigned int      k);
 
@@ -37,6 +39,7 @@ namespace StickSlip
   template <int dim>
   Tensor<1, dim - 1>
   shear_traction(const FaultNodes<dim>  &faults,
+                 const NodeLaws         &laws,
                  const SystemState<dim> &state,
                  const unsigned int      k);
 
@@ -49,6 +52,7 @@ namespace StickSlip
   template <int dim>
   std::vector<Tensor<1, dim - 1>>
   balancing_tractions(const FaultNodes<dim>  &faults,
+                      const NodeLaws         &laws,
                       const SystemState<dim> &state,
                       const BlockMatrix<dim> &A,
                       const NodalVector      &b,

@@ -28,10 +28,6 @@ namespace StickSlip
     /** m, m/s, m/s^2; the last one empty without inertia. */
     NodalVector displacement, velocity, acceleration;
 
-    /** That of the generalised-alpha method, m/s^2; empty with any other, and
-     * at the start. */
-    NodalVector auxiliary_acceleration;
-
     /** Without inertia: size of the step that has led here, s, and over it the
      * mean of the velocity, m/s. Zero and empty at the start. */
     double      last_step = 0;
@@ -43,16 +39,40 @@ namespace StickSlip
     /** Accumulated slip, m, and slip rate, m/s. */
     std::vector<Tensor<1, dim - 1>> slip, slip_rate;
 
-    /** Of the slip rate over the last step, like mean_velocity. */
+    /** Mean of the slip rate over the last step, like mean_velocity. */
     std::vector<Tensor<1, dim - 1>> mean_slip_rate;
 
     /** Shear traction that resists the slip at nodes where friction does not
      * tell it (shear_traction.h), Pa; empty if there are none. */
     std::vector<Tensor<1, dim - 1>> balancing_traction;
 
-    /** At each slave node, Pa, see contact_pressures(); empty where nobody
-     * needs it. */
+    /** Normal stress at each slave node, Pa, compression positive, none
+     * negative. */
+    std::vector<double> normal_stress;
+
+    /** Contact pressure at each slave node, Pa, see contact_pressures(); empty
+     * where nobody needs it. */
     std::vector<double> contact_pressure;
+
+    /** Call @p action with each nodal vector of a state, in a fixed order. */
+    template <typename State, typename Action>
+    static void
+    for_each_vector(State &state, const Action &action)
+    {
+      action(state.displacement);
+      action(state.velocity);
+      action(state.acceleration);
+      action(state.mean_velocity);
+    }
+
+    /** Everything but the nodal vectors, to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &last_step &alpha &slip &slip_rate &mean_slip_rate
+        &balancing_traction &normal_stress &contact_pressure;
+    }
   };
 
   /**
@@ -72,6 +92,14 @@ namespace StickSlip
       multigrid_cycles += other.multigrid_cycles;
       return *this;
     }
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &rate_state_iterations &tnnmg_iterations &multigrid_cycles;
+    }
   };
 
   /**
@@ -80,10 +108,10 @@ namespace StickSlip
   template <int dim>
   struct StepResult
   {
-    /** Whether state may be used. */
+    /** True if the state may be used. */
     bool converged = false;
 
-    /** Why not, otherwise. */
+    /** Reason why not, otherwise. */
     std::string failure;
 
     double           step_size = 0;

@@ -5,6 +5,7 @@
 #define stickslip_simulation_fault_snapshots_h
 
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/node_laws.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/problem/system_state.h>
 
@@ -18,19 +19,9 @@ namespace StickSlip
   std::vector<FaultSnapshot<dim>>
   make_fault_snapshots(const SystemState<dim>         &state,
                        const FaultNodes<dim>          &nodes,
+                       const NodeLaws                 &laws,
                        const JumpBasis<dim>           &basis,
                        const std::vector<std::string> &names);
-
-  /** The largest slip rate of any node in contact, m/s. */
-  template <int dim>
-  double
-  largest_slip_rate(const SystemState<dim> &state);
-
-  /** The largest distance that any node has slid between two states, m. */
-  template <int dim>
-  double
-  largest_slip(const SystemState<dim>                &state,
-               const std::vector<Tensor<1, dim - 1>> &since);
 } // namespace StickSlip
 
 #endif

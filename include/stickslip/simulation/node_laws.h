@@ -4,7 +4,7 @@
 #ifndef stickslip_simulation_node_laws_h
 #define stickslip_simulation_node_laws_h
 
-#include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/node_laws.h>
 #include <stickslip/faults/prescribed_slip.h>
 #include <stickslip/scene/scene_parameters.h>
 

@@ -5,6 +5,8 @@
 #define stickslip_simulation_restraint_h
 
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/node_laws.h>
+#include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
 
 namespace StickSlip
@@ -13,12 +15,14 @@ namespace StickSlip
    * Without inertia a body that no side holds along the faults is held by
    * friction and radiation damping alone. Throws InputError if there is
    * neither on a way to a body that is held: the velocity of such a body would
-   * not be determined.
+   * not be determined. @p state: at the start.
    */
   template <int dim>
   void
   check_restraint(const SceneParameters<dim> &scene,
-                  const FaultNodes<dim>      &faults);
+                  const FaultNodes<dim>      &faults,
+                  const NodeLaws             &laws,
+                  const SystemState<dim>     &state);
 } // namespace StickSlip
 
 #endif

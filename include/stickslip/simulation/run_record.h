@@ -16,6 +16,7 @@
 #include <stickslip/output/volume_writer.h>
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
+#include <stickslip/simulation/run_state.h>
 
 namespace StickSlip
 {
@@ -44,25 +45,36 @@ namespace StickSlip
         const SystemState<dim>                &state,
         const std::vector<FaultSnapshot<dim>> &faults);
 
-    /** Write the last state and whatever waits, and the summary. To be called
-     * however the run ends. */
+    /** Memory of all that has been written so far. */
+    RecordState
+    state() const;
+
+    /** Go on from what another record has written: before any step. */
     void
-    finish(const RunSummary &summary);
+    resume(const RecordState &state);
+
+    /** Write the last state, the one added last, and whatever waits, and the
+     * summary. To be called however the run ends. */
+    void
+    finish(const SystemState<dim> &state, const RunSummary &summary);
 
   private:
     /** Add the last step to the files asked for; the volume's part is gathered
      * first. */
     void
-    write(const bool series, const bool fault_history, const bool volume);
+    write(const SystemState<dim> &state,
+          const bool              series,
+          const bool              fault_history,
+          const bool              volume);
 
-    /** What the VTU files need. Collective. */
+    /** Nodal values that the VTU files need. Collective. */
     VolumeNodalValues
-    gather_volume() const;
+    gather_volume(const SystemState<dim> &state) const;
 
     void
     write_volume_now(const VolumeNodalValues &values);
 
-    /** What only the process has that writes. */
+    /** Files and what goes into them, on the process that writes. */
     struct Files
     {
       Files(const SceneParameters<dim>            &scene,
@@ -72,7 +84,7 @@ namespace StickSlip
       EventCatalogue<dim>   catalogue;
       PvdRecord             pvd;
       Progress              progress;
-      /** Those that are asked for. */
+      /** Files that are asked for, null otherwise. */
       std::unique_ptr<TimeSeries<dim>>   time_series;
       std::unique_ptr<FaultHistory<dim>> history;
     };
@@ -84,12 +96,9 @@ namespace StickSlip
     OutputCadence               fault_cadence;
     OutputCadence               volume_cadence;
 
-    unsigned int n_volumes = 0;
-
-    /** The last step taken in, and whether it is in the files; but for those of
-     * the bodies only the process knows that writes. */
+    /** The last step taken in, and whether it is in the files; of the time
+     * series only the process knows that writes. */
     StepRecord                      last_step;
-    const SystemState<dim>         *last_state = nullptr;
     std::vector<FaultSnapshot<dim>> last_faults;
     double                          last_slip_rate   = 0;
     bool                            is_new           = false;

@@ -8,13 +8,14 @@
 
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_record.h>
-#include <stickslip/time/energy_balance.h>
+#include <stickslip/simulation/run_state.h>
 #include <stickslip/time/step_size_control.h>
 
 namespace StickSlip
 {
   /**
    * The step program: owns everything that belongs to one scene, and runs it.
+   * Whatever changes from step to step is in a RunState.
    *
    * Members are declared in the order in which they depend on each other.
    */
@@ -28,75 +29,130 @@ namespace StickSlip
     /**
      * Run the scene to its end time, or until the user interrupts it.
      * Whatever happens, the files written are complete and hold the last good
-     * state. Throws StepSizeTooSmall if no step can be taken. Returns whether
-     * the end time was reached.
+     * state. Starts with set_up() unless resume() was called. Throws
+     * StepSizeTooSmall if no step can be taken. Returns whether the end time
+     * was reached.
      */
     bool
     run();
 
-    /** The state reached. */
-    const SystemState<dim> &
-    state() const;
-
-    const MeshHierarchy<dim> &
-    meshes() const;
-
-    SpatialProblem<dim> &
-    spatial_problem();
-
-    FaultNodes<dim> &
-    fault_nodes();
-
-    /** Null where the scene asks for none. */
-    const EnergyBalance<dim> *
-    energy_balance() const;
-
-    /** Find the static equilibrium and what follows from it. */
+    /** Start at the static equilibrium. */
     void
     set_up();
 
-    /** One advance of the step size control, one or more accepted steps;
-     * rebuilds the contact mapping if that is due. */
+    /** Start at the state in a file of write_state(), on any number of
+     * processes. Throws InputError if there is no such file or if it is of
+     * another scene. Collective. */
+    void
+    resume(const std::string &file_name);
+
+    /**
+     * Write everything that a run needs to go on from the present state. The
+     * faults are coupled anew as they are, so that coarse levels make their
+     * second derivatives anew as well: on the same number of processes this run
+     * and the one that is resumed go on with the same bits. Throws InputError
+     * if the file cannot be written. Collective.
+     */
+    void
+    write_state(const std::string &file_name);
+
+    /** One advance of the step size control, one or more accepted steps; the
+     * contact mapping follows if that is due. */
     void
     advance();
 
     bool
     is_finished() const;
 
+    /** The state reached. */
+    const SystemState<dim> &
+    state() const
+    {
+      return run_state.system;
+    }
+
+    const MeshHierarchy<dim> &
+    meshes() const
+    {
+      return mesh_hierarchy;
+    }
+
+    SpatialProblem<dim> &
+    spatial_problem()
+    {
+      return problem;
+    }
+
+    const FaultNodes<dim> &
+    fault_nodes() const
+    {
+      return faults;
+    }
+
+    const NodeLaws &
+    node_laws() const
+    {
+      return laws;
+    }
+
+    /** Null where the scene asks for none. */
+    const EnergyBalance<dim> *
+    energy_balance() const
+    {
+      return energy.get();
+    }
+
   private:
+    /** Couple the faults as the run state says, and prepare(). */
+    void
+    couple();
+
+    /** Make everything anew that depends on the contact mapping: at the start,
+     * with a new mapping and where a run is resumed. */
+    void
+    prepare();
+
     void
     accept(StepResult<dim> &&step);
 
+    /** Couple the faults anew if a node has slid too far since the last time.
+     */
     void
-    rebuild_contact_if_slid();
+    follow_contact();
+
+    std::vector<FaultSnapshot<dim>>
+    fault_snapshots() const;
+
+    /** Create the files of a run, with the present state if it is the first.
+     */
+    void
+    open_record();
+
+    /** Complete the files of a run that has ended. */
+    void
+    finish(const std::string &ending);
 
     RunSummary
-    summarise() const;
+    summarise(const std::string &ending) const;
 
     const SceneParameters<dim> scene;
     const MPI_Comm             communicator;
     Timer                      construction_timer;
     mutable TimerOutput        timer;
 
-    MeshHierarchy<dim>                       mesh_hierarchy;
-    BoundaryValues<dim>                      boundary_values;
-    SpatialProblem<dim>                      problem;
+    MeshHierarchy<dim>  mesh_hierarchy;
+    BoundaryValues<dim> boundary_values;
+    SpatialProblem<dim> problem;
+    NodeLaws            laws;
+
+    RunState<dim> run_state;
+
     FaultNodes<dim>                          faults;
     FollowingStress<dim>                     following_stress;
     std::unique_ptr<RateStateStep<dim>>      rate_state_step;
     std::unique_ptr<StepSizeController<dim>> step_size_controller;
-    std::unique_ptr<RunRecord<dim>>          record;
     std::unique_ptr<EnergyBalance<dim>>      energy;
-
-    SystemState<dim>                current;
-    unsigned int                    step_number = 0;
-    StepCounts                      accepted_counts;
-    std::pair<double, double>       step_size_range;
-    std::vector<Tensor<1, dim - 1>> slip_at_build;
-    unsigned int                    nodes_in_tension       = 0;
-    unsigned int                    most_in_tension        = 0;
-    unsigned int                    equilibrium_iterations = 0;
-    std::string                     ending;
+    std::unique_ptr<RunRecord<dim>>          record;
   };
 } // namespace StickSlip
 

@@ -4,19 +4,14 @@
 #ifndef stickslip_time_backward_differences_h
 #define stickslip_time_backward_differences_h
 
-#include <stickslip/problem/spatial_problem.h>
-#include <stickslip/problem/system_state.h>
+#include <stickslip/time/time_scheme.h>
 
 namespace StickSlip
 {
   /**
    * The backward differentiation formula of second order with steps of any
-   * size (Hairer, Noersett and Wanner 1993), for problems without mass,
-   *
-   *   C v1 + K u1 + friction(v1) = f1,
-   *
-   * with the velocity at the end of the step as the unknown. With the mean
-   * velocity d0 over the last step, of size tau0, and r = tau / tau0,
+   * size (Hairer, Noersett and Wanner 1993), for problems without mass. With
+   * the mean velocity d0 over the last step, of size tau0, and r = tau / tau0,
    *
    *   u1 = u0 + tau (w0 d0 + w1 v1),   w0 = r / (1 + 2 r),
    *                                    w1 = (1 + r) / (1 + 2 r).
@@ -28,34 +23,26 @@ namespace StickSlip
    * its displacements. The trapezoidal rule would let that velocity swing about
    * its mean from step to step, for ever.
    */
-  namespace BackwardDifferences
+  template <int dim>
+  class BackwardDifferences : public TimeScheme<dim>
   {
-    /** Coefficients of mass, which is zero, damping and stiffness in the
-     * operator. */
-    template <int dim>
-    std::vector<double>
-    operator_coefficients(const SystemState<dim> &from, const double tau);
-
-    /** The right hand side, a dual vector of the jump basis. */
-    template <int dim>
-    NodalVector
-    right_hand_side(SpatialProblem<dim>    &problem,
-                    const SystemState<dim> &from,
-                    const double            tau);
-
-    /** Displacement, slip and their mean rates over the step from velocity and
-     * slip rate of @p to. */
-    template <int dim>
+  public:
     void
     complete(SystemState<dim>       &to,
              const SystemState<dim> &from,
-             const double            tau);
+             const double            tau) const override;
 
-    /** Local error of the displacement over its third derivative, s^3, after a
-     * step of size @p last. */
     double
-    error_constant(const double tau, const double last);
-  } // namespace BackwardDifferences
+    error_constant(const double tau, const double last) const override;
+
+  protected:
+    std::pair<double, double>
+    end_weights(const double tau, const double last) const override;
+
+    NodalVector
+    known_displacement(const SystemState<dim> &from,
+                       const double            tau) const override;
+  };
 } // namespace StickSlip
 
 #endif

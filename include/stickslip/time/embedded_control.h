@@ -4,7 +4,6 @@
 #ifndef stickslip_time_embedded_control_h
 #define stickslip_time_embedded_control_h
 
-#include <stickslip/time/step_history.h>
 #include <stickslip/time/step_size_control.h>
 
 namespace StickSlip
@@ -18,22 +17,17 @@ namespace StickSlip
   class EmbeddedControl : public StepSizeController<dim>
   {
   public:
-    EmbeddedControl(RateStateStep<dim>    &step,
-                    const FaultNodes<dim> &faults,
-                    const TimeParameters  &parameters,
-                    BoundaryValues<dim>   &loads);
+    using StepSizeController<dim>::StepSizeController;
 
+  protected:
     std::vector<StepResult<dim>>
-    advance(const SystemState<dim> &state) override;
-
-    /** The estimated error of the last step that could be solved. */
-    double
-    estimated_error() const;
+    accepted_steps(const SystemState<dim> &state,
+                   StepMemory<dim>        &memory) override;
 
   private:
-    StepHistory<dim> history;
-    bool             just_rejected = false;
-    double           last_error    = 0;
+    /** Size of the next step over that of one with this error. */
+    double
+    growth(const double error, const bool just_rejected) const;
   };
 } // namespace StickSlip
 

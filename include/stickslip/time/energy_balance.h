@@ -5,6 +5,7 @@
 #define stickslip_time_energy_balance_h
 
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/node_laws.h>
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
 
@@ -16,21 +17,53 @@ namespace StickSlip
    */
   struct EnergyTerms
   {
-    /** Of gravity and of prescribed tractions. */
+    /** Gravity and prescribed tractions. */
     double loads = 0;
-    /** Of the forces that prescribed velocities need. */
+    /** Forces that prescribed velocities need. */
     double driven_sides = 0;
     /** Dissipated by viscosity, by friction and by radiation damping,
      * positive. */
     double viscosity = 0, friction = 0, radiation = 0;
 
-    /** What all of them add to the kinetic and elastic energy. */
+    /** Sum of all, as it adds to the kinetic and elastic energy. */
     double
     gain() const;
 
     /** *this += factor * other. */
     void
     add(const double factor, const EnergyTerms &other);
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &loads &driven_sides &viscosity &friction &radiation;
+    }
+  };
+
+  /**
+   * Account of the energy since the start of a run.
+   */
+  struct EnergyAccount
+  {
+    /** Kinetic and elastic energy at the start, J. */
+    double initial_energy = 0;
+
+    /** The last state taken in: its time, s, and the powers there. */
+    double      last_time = 0;
+    EnergyTerms last_powers;
+
+    /** Work since the start. */
+    EnergyTerms work;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &initial_energy &last_time &last_powers &work;
+    }
   };
 
   /**
@@ -50,22 +83,26 @@ namespace StickSlip
   class EnergyBalance
   {
   public:
-    /** Problem and faults must live longer; @p start: the state from which on
-     * the account is kept. Collective, as the next two. */
-    EnergyBalance(SpatialProblem<dim>    &problem,
-                  const FaultNodes<dim>  &faults,
-                  const SystemState<dim> &start);
+    /** Powers with one contact mapping. All must live longer. */
+    EnergyBalance(SpatialProblem<dim>   &problem,
+                  const FaultNodes<dim> &faults,
+                  const NodeLaws        &laws,
+                  EnergyAccount         &account);
+
+    /** Keep the account from @p state on. Collective, as the next two. */
+    void
+    start(const SystemState<dim> &state);
 
     /** Add a step to @p state, before the contact mapping follows it. */
     void
     add(const SystemState<dim> &state);
 
-    /** To be called when contact mapping and velocities have changed; the
-     * energy that this adds or takes goes into the defect. */
+    /** Go on from @p state after contact mapping and velocities have changed;
+     * the energy that this adds or takes goes into the defect. */
     void
-    reinit(const SystemState<dim> &state);
+    restart(const SystemState<dim> &state);
 
-    /** What has been added since the start. */
+    /** Work since the start. */
     const EnergyTerms &
     work() const;
 
@@ -82,7 +119,7 @@ namespace StickSlip
     defect(const SystemState<dim> &state) const;
 
   private:
-    /** At one time. */
+    /** Powers at one time. */
     EnergyTerms
     powers(const SystemState<dim> &state) const;
 
@@ -93,9 +130,8 @@ namespace StickSlip
 
     SpatialProblem<dim>   &problem;
     const FaultNodes<dim> &faults;
-    const double           initial_energy;
-    double                 last_time;
-    EnergyTerms            last_powers, total;
+    const NodeLaws        &laws;
+    EnergyAccount         &account;
   };
 } // namespace StickSlip
 

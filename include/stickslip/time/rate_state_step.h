@@ -4,17 +4,16 @@
 #ifndef stickslip_time_rate_state_step_h
 #define stickslip_time_rate_state_step_h
 
+#include <stickslip/faults/fault_functional.h>
 #include <stickslip/faults/following_stress.h>
-#include <stickslip/time/backward_differences.h>
-#include <stickslip/time/generalised_alpha.h>
-#include <stickslip/time/newmark.h>
 #include <stickslip/time/time_parameters.h>
+#include <stickslip/time/time_scheme.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
 namespace StickSlip
 {
   /**
-   * Where the iteration of a step starts.
+   * Start of the iteration of a step.
    */
   template <int dim>
   struct Prediction
@@ -26,31 +25,30 @@ namespace StickSlip
   };
 
   /**
-   * One time step: the rate problem, a convex minimisation for the velocity at
-   * fixed state, coupled with the state problem, an update of the state at
-   * fixed slip rate.
+   * One time step: the fixed point of rate and state. The rate problem is a
+   * convex minimisation for the velocity at fixed state, the state problem an
+   * update of the state at fixed slip rate.
    *
    * The nested iteration solves the rate problem, updates the state and starts
    * again. The interleaved one updates the state after every single iteration
    * of the rate solver and stops when both have settled. Where normal stresses
    * follow the contact pressure, they are updated together with the state.
    *
-   * A step never changes the state that it starts from; what does not
-   * converge is reported, not used.
+   * A step is a new value: nothing changes that another step depends on. A
+   * step that does not converge is reported, not used.
    */
   template <int dim>
   class RateStateStep
   {
   public:
+    /** Steps with one contact mapping; the next one needs a new object. All but
+     * @p following must live longer. */
     RateStateStep(SpatialProblem<dim>        &problem,
-                  FaultNodes<dim>            &fault_nodes,
+                  const FaultNodes<dim>      &faults,
+                  const NodeLaws             &laws,
                   const TimeParameters       &time_parameters,
                   const TNNMGParameters      &tnnmg_parameters,
-                  const FollowingStress<dim> &following_stress = {});
-
-    /** To be called after the contact mapping has been rebuilt. */
-    void
-    reinit();
+                  const FollowingStress<dim> &following = {});
 
     /** A step of size @p tau from @p from, begun at @p prediction, if any. */
     StepResult<dim>
@@ -58,73 +56,92 @@ namespace StickSlip
          const double            tau,
          const Prediction<dim>  *prediction = nullptr);
 
+    const FaultNodes<dim> &
+    faults() const;
+
+    const NodeLaws &
+    laws() const;
+
+    const TimeScheme<dim> &
+    scheme() const;
+
     /** The length of the longest ramp of what is prescribed, s. */
     double
     longest_ramp() const;
 
-    /** Work of all steps so far, those that failed included. */
-    const StepCounts &
-    total_counts() const;
-
-    /** Number of steps taken, those that failed included. */
-    unsigned long
-    n_steps() const;
-
   private:
-    /** Solve the rate problem at the present state, or, where rate and state
-     * are interleaved, improve its solution by one iteration more than the one
-     * @p before, if any. Throws SingularMatrix. */
-    SolveSummary
-    improve(const NodalVector      &rhs,
-            NodalVector            &w,
-            const IterationSummary *before);
+    /** Time, state, normal stress, contact pressure and velocity with which the
+     * iteration starts, the last one with what is prescribed at its sides. */
+    SystemState<dim>
+    predict(const SystemState<dim> &from,
+            const double            tau,
+            const Prediction<dim>  *prediction) const;
 
-    /** How displacements follow from velocities. */
-    enum class Formula
-    {
-      newmark,
-      generalised_alpha,
-      backward_differences
-    };
-
-    static Formula
-    choose_formula(const TimeParameters &parameters);
-
-    /** Coefficients of mass, damping and stiffness in the operator. */
-    std::vector<double>
-    operator_coefficients(const SystemState<dim> &from, const double tau) const;
-
-    /** The right hand side of the rate problem. */
+    /** The velocity in the jump basis, with the jumps that are known. */
     NodalVector
-    right_hand_side(const SystemState<dim> &from, const double tau) const;
+    unknowns(const SystemState<dim> &to) const;
+
+    /** Solve the rate problem at state and normal stress of @p to; where rate
+     * and state are interleaved, improve its solution by one iteration more
+     * than those @p before. Throws SingularMatrix. */
+    SolveSummary
+    solve_rate(const SystemState<dim> &to,
+               const NodalVector      &rhs,
+               NodalVector            &w,
+               const SolveSummary     &before);
+
+    /** Set the state of @p to to that at the end of the step if the slip rates
+     * are those of @p w; returns its change in L2(faults). */
+    double
+    update_state(SystemState<dim>       &to,
+                 const SystemState<dim> &from,
+                 const NodalVector      &w,
+                 const double            tau) const;
+
+    /** Let contact pressure and normal stress of @p to follow, if they do;
+     * returns the relative change of the latter in L2(faults). */
+    double
+    follow_pressure(SystemState<dim>  &to,
+                    const NodalVector &rhs,
+                    NodalVector       &w);
+
+    /** True if rate and state have settled. Throws StepFailure if they never
+     * will. */
+    bool
+    have_settled(const SolveSummary &rate,
+                 const double        change,
+                 const unsigned int  n_iterations) const;
+
+    /** Everything of @p to that follows from the solution. Throws StepFailure
+     * if it is not a number. */
+    void
+    complete(SystemState<dim>       &to,
+             const SystemState<dim> &from,
+             const double            tau,
+             const NodalVector      &rhs,
+             NodalVector            &w);
+
+    /** Complete the velocities that single iterations leave alone. */
+    void
+    finish_rate(const NodalVector &rhs, NodalVector &w);
 
     /** The contact pressure of a solution of the rate problem, Pa. */
     std::vector<double>
     contact_pressure(const NodalVector &rhs, const NodalVector &w) const;
 
-    /** Displacement, slip, and accelerations or mean rates of @p to, of which
-     * velocity and slip rates are known. */
-    void
-    complete(SystemState<dim>       &to,
-             const SystemState<dim> &from,
-             const double            tau) const;
+    bool
+    is_nested() const;
 
-    /** The state at the end of the step if the slip rates are those of w. */
-    std::vector<double>
-    update_state(const SystemState<dim> &from,
-                 const NodalVector      &w,
-                 const double            tau) const;
-
-    SpatialProblem<dim>                  &problem;
-    FaultNodes<dim>                      &faults;
-    const TimeParameters                 &time_parameters;
-    const TNNMGParameters                &tnnmg_parameters;
-    const FollowingStress<dim>            following_stress;
-    const GeneralisedAlpha                generalised_alpha;
-    const Formula                         formula;
+    SpatialProblem<dim>                   &problem;
+    const FaultNodes<dim>                 &fault_nodes;
+    const NodeLaws                        &node_laws;
+    const TimeParameters                  &time_parameters;
+    const TNNMGParameters                 &tnnmg_parameters;
+    const FollowingStress<dim>             following;
+    const std::unique_ptr<TimeScheme<dim>> time_scheme;
+    /** Instruments of the iteration: of no meaning between steps. */
+    std::unique_ptr<FaultFriction<dim>>   friction;
     std::unique_ptr<NonsmoothSolver<dim>> solver;
-    StepCounts                            totals;
-    unsigned long                         steps = 0;
   };
 } // namespace StickSlip
 

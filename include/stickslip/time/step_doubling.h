@@ -6,8 +6,6 @@
 
 #include <stickslip/time/step_size_control.h>
 
-#include <optional>
-
 namespace StickSlip
 {
   /**
@@ -30,25 +28,27 @@ namespace StickSlip
   public:
     using StepSizeController<dim>::StepSizeController;
 
+  protected:
     std::vector<StepResult<dim>>
-    advance(const SystemState<dim> &state) override;
+    accepted_steps(const SystemState<dim> &state,
+                   StepMemory<dim>        &memory) override;
 
   private:
     StepResult<dim>
-    large_step(const SystemState<dim> &state, const double tau);
+    large_step(const SystemState<dim> &state,
+               StepMemory<dim>        &memory,
+               const double            tau) const;
 
     /** From the @p start of the large step or the middle. */
     StepResult<dim>
     small_step(const SystemState<dim> &start,
                const SystemState<dim> &from,
                const SystemState<dim> &large,
-               const double            tau);
+               StepMemory<dim>        &memory,
+               const double            tau) const;
 
-    /** What the difference is multiplied with when tau is doubled. */
+    /** Growth of the difference when tau is doubled. */
     static constexpr double growth = 4.;
-
-    /** Where the last accepted pair of steps began. */
-    std::optional<SystemState<dim>> before;
   };
 } // namespace StickSlip
 

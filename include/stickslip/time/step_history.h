@@ -5,6 +5,7 @@
 #define stickslip_time_step_history_h
 
 #include <stickslip/time/rate_state_step.h>
+#include <stickslip/time/step_memory.h>
 
 namespace StickSlip
 {
@@ -19,9 +20,8 @@ namespace StickSlip
    *   Adams-Bashforth prediction from the last two state rates;
    * - traction: e = |m - extrapolated| / max(a, b) * c0 / (cc + c0), where m is
    *   the friction coefficient times the direction of the slip rate and times
-   *   the normal stress over its mean on the fault, c0 is the error constant of
-   *   the step, h^3/12 with inertia and that of the backward differences
-   *   (backward_differences.h) without, and cc = h (h + h1) (h + h1 + h2) / 6;
+   *   the normal stress over its mean on the fault, c0 is
+   *   TimeScheme::error_constant(), and cc = h (h + h1) (h + h1 + h2) / 6;
    * - slip rate: e = |V - extrapolated| / max(the largest V of the fault, L/h)
    *   * c0 / (cc + c0).
    *
@@ -38,35 +38,19 @@ namespace StickSlip
   class StepHistory
   {
   public:
-    /** What is remembered of a state. */
-    struct Record
-    {
-      double              time = 0;
-      NodalVector         velocity;
-      std::vector<double> alpha;
-      std::vector<double> state_rate;
-      /** Empty where no normal stress follows it. */
-      std::vector<double> contact_pressure;
-      /** Slave relative to master, m/s. */
-      std::vector<Tensor<1, dim - 1>> slip_rate;
-      /** Friction coefficient times the direction of the slip rate. */
-      std::vector<Tensor<1, dim - 1>> friction;
-      /** Whether there was any. */
-      std::vector<bool> in_contact;
-    };
+    /** @p records: the newest first, three at most. All must live longer. */
+    StepHistory(const FaultNodes<dim>       &faults,
+                const NodeLaws              &laws,
+                const TimeScheme<dim>       &scheme,
+                std::vector<PastState<dim>> &records);
 
-    StepHistory(const FaultNodes<dim> &faults,
-                const Inertia          inertia = Inertia::dynamic);
-
-    bool
-    is_empty() const;
-
-    Record
+    /** The memory of a state. */
+    PastState<dim>
     record(const SystemState<dim> &state) const;
 
-    /** An accepted state. */
+    /** Take in an accepted state. */
     void
-    add(Record &&newest);
+    add(PastState<dim> &&newest);
 
     /** Velocity and state a step @p tau after @p state, that of the newest
      * record, whose velocity may follow another contact mapping by now. */
@@ -77,7 +61,7 @@ namespace StickSlip
      * @p now, in m^((d-1)/2); of the state alone before three steps have been
      * taken. */
     double
-    estimate_error(const Record &now) const;
+    estimate_error(const PastState<dim> &now) const;
 
   private:
     /** The Adams-Bashforth prediction of alpha a step @p tau after the newest
@@ -88,12 +72,12 @@ namespace StickSlip
     /** The error of the state alone at each node, from the newest record to
      * @p now. */
     std::vector<double>
-    state_errors(const Record &now) const;
+    state_errors(const PastState<dim> &now) const;
 
-    const FaultNodes<dim> &faults;
-    const Inertia          inertia;
-    /** The newest first; three at most. */
-    std::vector<Record> records;
+    const FaultNodes<dim>       &faults;
+    const NodeLaws              &laws;
+    const TimeScheme<dim>       &scheme;
+    std::vector<PastState<dim>> &records;
   };
 } // namespace StickSlip
 

@@ -6,10 +6,9 @@
 
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/time/rate_state_step.h>
+#include <stickslip/time/step_history.h>
 
-#include <exception>
 #include <memory>
-#include <optional>
 
 namespace StickSlip
 {
@@ -25,6 +24,7 @@ namespace StickSlip
   /**
    * Chooses step sizes, and accepts or rejects steps. A rejected step leaves
    * no trace in the state: it is forgotten and tried anew with a smaller size.
+   * Everything that is remembered from step to step is in a StepMemory.
    *
    * The sizes used are largest_step 2^-k, but for the last step to the end
    * time, so that few different operators occur.
@@ -33,58 +33,62 @@ namespace StickSlip
   class StepSizeController
   {
   public:
-    StepSizeController(RateStateStep<dim>    &step,
-                       const FaultNodes<dim> &faults,
-                       const TimeParameters  &parameters,
-                       BoundaryValues<dim>   &loads);
+    /** All must live longer. */
+    StepSizeController(RateStateStep<dim>   &step,
+                       const TimeParameters &parameters,
+                       BoundaryValues<dim>  &loads);
 
     virtual ~StepSizeController() = default;
 
     /**
      * Advance from @p state by one or more accepted steps, in the order of
-     * time. Throws StepSizeTooSmall.
+     * time. @p memory: of the steps that have led to it. Throws
+     * StepSizeTooSmall.
      */
-    virtual std::vector<StepResult<dim>>
-    advance(const SystemState<dim> &state) = 0;
+    std::vector<StepResult<dim>>
+    advance(const SystemState<dim> &state, StepMemory<dim> &memory);
 
-    /** Whether the end time is reached. */
+    /** True if the end time is reached. */
     bool
     is_finished(const double time) const;
 
-    /** Number of attempts that were rejected. */
-    unsigned int
-    n_rejected() const;
-
-    /** The largest error of an accepted step as StepHistory estimates it, in
-     * m^((d-1)/2); zero under step doubling, which compares something else. */
-    double
-    largest_estimated_error() const;
-
   protected:
+    /** The accepted steps of advance(), with a size proposed. */
+    virtual std::vector<StepResult<dim>>
+    accepted_steps(const SystemState<dim> &state, StepMemory<dim> &memory) = 0;
+
+    /** A step from @p from, begun at @p prediction, if any, and counted. */
+    StepResult<dim>
+    take(StepMemory<dim>        &memory,
+         const SystemState<dim> &from,
+         const double            tau,
+         const Prediction<dim>  *prediction = nullptr) const;
+
+    /** Count a rejection; throws if the next size is too small. */
+    void
+    reject(StepMemory<dim>   &memory,
+           const double       time,
+           const double       next_step_size,
+           const std::string &reason) const;
+
+    /** The history in @p memory, which begins with @p state if there is none.
+     */
+    StepHistory<dim>
+    history(StepMemory<dim> &memory, const SystemState<dim> &state) const;
+
     /** The largest size of the form largest_step 2^-k up to @p tau. */
     double
     on_grid(const double tau) const;
 
     /** The largest step allowed at this time, by the ramp and the end. */
     double
-    limit(const double time, const double tau) const;
+    limit(StepMemory<dim> &memory, const double time, const double tau) const;
 
-    /** Count a rejection; throws if the next size is too small. */
-    void
-    reject(const double       time,
-           const double       next_step_size,
-           const std::string &reason);
-
-    RateStateStep<dim>    &step;
-    const FaultNodes<dim> &faults;
-    const TimeParameters  &parameters;
-    double                 proposed;
-    double                 largest_error = 0;
+    RateStateStep<dim>   &step;
+    const TimeParameters &parameters;
 
   private:
     BoundaryValues<dim> &loads;
-    const double         longest_ramp;
-    unsigned int         rejections = 0;
   };
 
   /**
@@ -92,10 +96,9 @@ namespace StickSlip
    */
   template <int dim>
   std::unique_ptr<StepSizeController<dim>>
-  make_step_size_controller(RateStateStep<dim>    &step,
-                            const FaultNodes<dim> &faults,
-                            const TimeParameters  &parameters,
-                            BoundaryValues<dim>   &loads);
+  make_step_size_controller(RateStateStep<dim>   &step,
+                            const TimeParameters &parameters,
+                            BoundaryValues<dim>  &loads);
 } // namespace StickSlip
 
 #endif

@@ -39,17 +39,6 @@ namespace StickSlip
   };
 
   /**
-   * How displacement and velocity are advanced by a step with inertia.
-   */
-  enum class TimeScheme
-  {
-    /** Newmark's method with beta = 1/4, gamma = 1/2, without damping. */
-    newmark,
-    /** Generalised alpha, which damps fast oscillations. */
-    generalised_alpha
-  };
-
-  /**
    * How the rate and the state problem of one step are iterated.
    */
   enum class RateStateMethod
@@ -103,11 +92,6 @@ namespace StickSlip
     double loading_tolerance = 1e-4;
 
     Inertia inertia = Inertia::dynamic;
-
-    TimeScheme scheme = TimeScheme::newmark;
-
-    /** Of the generalised-alpha method: 1 damps nothing, 0 most. */
-    double spectral_radius = 0.8;
 
     StateUpdate state_update = StateUpdate::exponential;
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_run_state_h
+#define stickslip_simulation_run_state_h
+
+#include <stickslip/output/event_catalogue.h>
+#include <stickslip/output/output_cadence.h>
+#include <stickslip/output/pvd_record.h>
+#include <stickslip/problem/system_state.h>
+#include <stickslip/time/energy_balance.h>
+#include <stickslip/time/step_memory.h>
+
+namespace StickSlip
+{
+  /**
+   * Counts of a run for its summary.
+   */
+  struct RunCounts
+  {
+    /** Accepted steps, the work that they took, and the range of their sizes,
+     * s. */
+    unsigned int accepted = 0;
+    StepCounts   work;
+    double       smallest_step = 0, largest_step = 0;
+
+    unsigned int equilibrium_iterations = 0;
+    unsigned int contact_mappings       = 0;
+
+    /** Nodes in contact that are under tension: at the start, and the most at
+     * a time. */
+    unsigned int initially_in_tension = 0, most_in_tension = 0;
+
+    /** Take in an accepted step. */
+    void
+    add(const double step_size, const StepCounts &of_step);
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &accepted &work &smallest_step &largest_step
+        &equilibrium_iterations &contact_mappings &initially_in_tension
+          &most_in_tension;
+    }
+  };
+
+  /**
+   * Memory of the record of a run of all that it has written. Events and
+   * volumes are known to the process only that writes.
+   */
+  struct RecordState
+  {
+    EventState    events;
+    CadenceState  fault_cadence, volume_cadence;
+    VolumeEntries volumes;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &events &fault_cadence &volume_cadence &volumes;
+    }
+  };
+
+  /**
+   * Everything that an interrupted run needs to go on. Arrays over the slave
+   * nodes are ordered by fault and node of its surface.
+   */
+  template <int dim>
+  struct RunState
+  {
+    /** The state reached. */
+    SystemState<dim> system;
+
+    /** Displacement and slip with which the faults were coupled last, m. */
+    NodalVector                     coupled_displacement;
+    std::vector<Tensor<1, dim - 1>> coupled_slip;
+
+    /** Normal stress less contact pressure at the start, at each slave node,
+     * Pa, see FollowingStress; empty where there is no pressure. */
+    std::vector<double> stress_offset;
+
+    StepMemory<dim> steps;
+    EnergyAccount   energy;
+    RunCounts       counts;
+    RecordState     record;
+
+    /** Call @p action with each nodal vector of a state, in a fixed order. */
+    template <typename State, typename Action>
+    static void
+    for_each_vector(State &state, const Action &action)
+    {
+      SystemState<dim>::for_each_vector(state.system, action);
+      action(state.coupled_displacement);
+      StepMemory<dim>::for_each_vector(state.steps, action);
+    }
+
+    /** Everything but nodal vectors, to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &system &coupled_slip &stress_offset &steps &energy &counts
+        &record;
+    }
+  };
+} // namespace StickSlip
+
+#endif

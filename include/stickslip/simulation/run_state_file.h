@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_run_state_file_h
+#define stickslip_simulation_run_state_file_h
+
+#include <stickslip/mesh/mesh_level.h>
+#include <stickslip/simulation/run_state.h>
+
+#include <string>
+
+namespace StickSlip
+{
+  /**
+   * Write the state of a run to a binary file, all of it or nothing. Nodal
+   * vectors are written body after body in the order of the nodes of their
+   * finest meshes @p level, so that they may be read on another number of
+   * processes. For the same program on the same kind of machine. Throws
+   * InputError if the file cannot be written. Collective.
+   */
+  template <int dim>
+  void
+  write_run_state(const std::string    &file_name,
+                  const RunState<dim>  &state,
+                  const MeshLevel<dim> &level);
+
+  /**
+   * Read it again. Throws InputError if the file is not of this kind or if it
+   * belongs to other meshes. Collective.
+   */
+  template <int dim>
+  RunState<dim>
+  read_run_state(const std::string &file_name, const MeshLevel<dim> &level);
+} // namespace StickSlip
+
+#endif

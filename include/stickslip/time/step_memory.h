@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_time_step_memory_h
+#define stickslip_time_step_memory_h
+
+#include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/problem/system_state.h>
+
+#include <optional>
+
+namespace StickSlip
+{
+  /**
+   * Memory of an accepted state for predictions and estimates of the error;
+   * arrays over the slave nodes.
+   */
+  template <int dim>
+  struct PastState
+  {
+    double              time = 0;
+    NodalVector         velocity;
+    std::vector<double> alpha;
+    std::vector<double> state_rate;
+    /** Pa; the second one empty where no normal stress follows it. */
+    std::vector<double> normal_stress, contact_pressure;
+    /** Slave relative to master, m/s. */
+    std::vector<Tensor<1, dim - 1>> slip_rate;
+    /** Friction coefficient times the direction of the slip rate. */
+    std::vector<Tensor<1, dim - 1>> friction;
+    /** Contact at each slave node. */
+    std::vector<bool> in_contact;
+
+    /** Everything but the velocity, to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &alpha &state_rate &normal_stress &contact_pressure
+        &slip_rate &friction &in_contact;
+    }
+  };
+
+  /**
+   * Memory of the control of the step size from step to step.
+   */
+  template <int dim>
+  struct StepMemory
+  {
+    /** Past states, the newest first, three at most; empty under step
+     * doubling. */
+    std::vector<PastState<dim>> past;
+
+    /** Step doubling: where the last accepted pair of steps began. */
+    std::optional<SystemState<dim>> before;
+
+    /** Size of the next step as far as the error goes, s; zero before the
+     * first. */
+    double proposed = 0;
+
+    bool just_rejected = false;
+
+    /** Errors as StepHistory estimates them, in m^((d-1)/2): of the last step
+     * that could be solved, and the largest of an accepted one; zero under
+     * step doubling, which compares something else. */
+    double last_error = 0, largest_error = 0;
+
+    /** Largest loads met so far. */
+    LargestLoads<dim> largest_loads;
+
+    /** Number of attempts that were rejected, and of steps solved, those that
+     * failed or were rejected included, with the work of all of them. */
+    unsigned int  n_rejected = 0;
+    unsigned long n_solved   = 0;
+    StepCounts    work;
+
+    /** Call @p action with each nodal vector of a memory, in a fixed order. */
+    template <typename Memory, typename Action>
+    static void
+    for_each_vector(Memory &memory, const Action &action)
+    {
+      for (auto &state : memory.past)
+        action(state.velocity);
+      if (memory.before)
+        SystemState<dim>::for_each_vector(*memory.before, action);
+    }
+
+    /** Everything but nodal vectors, to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      bool has_before = before.has_value();
+      archive &past &has_before &proposed &just_rejected &last_error
+        &largest_error &largest_loads &n_rejected &n_solved &work;
+      if (has_before)
+        {
+          if (!before)
+            before.emplace();
+          archive &*before;
+        }
+    }
+  };
+} // namespace StickSlip
+
+#endif

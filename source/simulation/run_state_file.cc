@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <stickslip/base/agreement.h>
+#include <stickslip/base/input_error.h>
+#include <stickslip/output/atomic_file.h>
+#include <stickslip/simulation/run_state_file.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** Version of the format, to be changed with anything that is written. */
+    constexpr unsigned int format_version = 1;
+
+
+
+    /** Properties of a file that must agree with the meshes. */
+    template <int dim>
+    struct Header
+    {
+      std::string        kind      = "stickslip run state";
+      unsigned int       version   = format_version;
+      unsigned int       dimension = dim;
+      unsigned long long n_nodes   = 0;
+
+      bool
+      operator==(const Header &other) const
+      {
+        return kind == other.kind && version == other.version &&
+               dimension == other.dimension && n_nodes == other.n_nodes;
+      }
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &kind &version &dimension &n_nodes;
+      }
+    };
+
+
+
+    template <int dim>
+    Header<dim>
+    header(const MeshLevel<dim> &level)
+    {
+      Header<dim> result;
+      result.n_nodes = level.n_nodes();
+      return result;
+    }
+
+
+
+    /** Call @p action with the global numbers of all nodes, body after body in
+     * the order of their meshes. */
+    template <int dim, typename Action>
+    void
+    for_each_node(const MeshLevel<dim> &level, const Action &action)
+    {
+      for (unsigned int b = 0; b < level.bodies.size(); ++b)
+        for (types::global_dof_index dof = 0;
+             dof < level.bodies[b]->dof_handler().n_dofs();
+             ++dof)
+          action(level.global_node(b, dof));
+    }
+
+
+
+    /** The values of all nodes on the first process; none of an empty vector.
+     */
+    template <int dim>
+    std::vector<double>
+    in_order_of_meshes(const NodalVector &vector, const MeshLevel<dim> &level)
+    {
+      std::vector<double> result;
+      if (vector.size() == 0)
+        return result;
+      const std::vector<double> values = gather_on_first(vector);
+      if (!values.empty())
+        for_each_node(level, [&](const types::global_dof_index node) {
+          for (unsigned int c = 0; c < dim; ++c)
+            result.push_back(values[node * dim + c]);
+        });
+      return result;
+    }
+
+
+
+    template <int dim>
+    NodalVector
+    nodal_vector(const std::vector<double> &values, const MeshLevel<dim> &level)
+    {
+      AssertThrow(values.size() == level.n_nodes() * dim,
+                  ExcDimensionMismatch(values.size(), level.n_nodes() * dim));
+      NodalVector result   = level.nodes.make_vector();
+      auto        position = values.begin();
+      for_each_node(level, [&](const types::global_dof_index node) {
+        for (unsigned int c = 0; c < dim; ++c, ++position)
+          if (level.nodes.owned().is_element(node))
+            result.local_element(level.nodes.local_index(node) * dim + c) =
+              *position;
+      });
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  write_run_state(const std::string    &file_name,
+                  const RunState<dim>  &state,
+                  const MeshLevel<dim> &level)
+  {
+    std::vector<std::vector<double>> vectors;
+    RunState<dim>::for_each_vector(state, [&](const NodalVector &vector) {
+      vectors.push_back(in_order_of_meshes(vector, level));
+    });
+    const MPI_Comm communicator = level.nodes.communicator();
+    carry_out_agreed(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      std::ostringstream content;
+      {
+        boost::archive::binary_oarchive archive(content);
+        const Header<dim>               start = header(level);
+        archive << start << state << vectors;
+      }
+      write_file_atomically(file_name, content.str());
+    });
+  }
+
+
+
+  template <int dim>
+  RunState<dim>
+  read_run_state(const std::string &file_name, const MeshLevel<dim> &level)
+  {
+    RunState<dim>                    state;
+    std::vector<std::vector<double>> vectors;
+    carry_out_agreed(level.nodes.communicator(), [&]() {
+      std::ifstream file(file_name, std::ios::binary);
+      try
+        {
+          boost::archive::binary_iarchive archive(file);
+          Header<dim>                     start;
+          archive >> start;
+          if (!(start == header(level)))
+            throw InputError("The file '" + file_name +
+                             "' is not the state of a run with these meshes "
+                             "by this version of the program.");
+          archive >> state >> vectors;
+        }
+      catch (const boost::archive::archive_exception &)
+        {
+          throw InputError("The file '" + file_name +
+                           "' is not the state of a run.");
+        }
+    });
+    auto values = vectors.begin();
+    RunState<dim>::for_each_vector(state, [&](NodalVector &vector) {
+      if (!values->empty())
+        vector = nodal_vector(*values, level);
+      ++values;
+    });
+    return state;
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(dim)                                     \
+  template void          write_run_state<dim>(const std::string &,     \
+                                     const RunState<dim> &,   \
+                                     const MeshLevel<dim> &); \
+  template RunState<dim> read_run_state<dim>(const std::string &,      \
+                                             const MeshLevel<dim> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+} // namespace StickSlip

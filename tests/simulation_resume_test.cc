@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/base/input_error.h>
+#include <stickslip/output/time_series.h>
+
+#include "error_message.h"
+#include "simulation_scenes.h"
+#include "stepping_scene.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  using Settings = std::vector<std::string>;
+
+
+
+  /** The creeping bodies at a speed at which the contact mapping follows them
+   * again and again. */
+  SceneParameters<2>
+  sliding_scene(const Settings &more)
+  {
+    Settings overrides = {"Boundary conditions/upper top/x value=0.25",
+                          "Boundary conditions/upper top/Ramp length=0.2",
+                          "Faults/fault/Reference slip rate=0.25",
+                          "Faults/fault/Characteristic slip=0.25",
+                          "Faults/fault/Normal stress function=1e3",
+                          "Time/End time=2.1",
+                          "Time/Largest step=0.05",
+                          "Time/Tolerance=1e-3",
+                          "Output/Energy balance=true"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return read_scene(creeping_bodies, overrides);
+  }
+
+
+
+  /** Advance, and write the row of the time series. */
+  void
+  advance(Simulation<2> &simulation, TimeSeries<2> &series)
+  {
+    const double time = simulation.state().time;
+    simulation.advance();
+    StepRecord row;
+    row.time      = simulation.state().time;
+    row.step_size = row.time - time;
+    series.add(row, snapshots(simulation));
+  }
+
+
+
+  /** Write the state of a simulation, and expect that another one goes on from
+   * there with the same bits for a number of advances. */
+  void
+  expect_same_bits(const SceneParameters<2> &scene,
+                   Simulation<2>            &kept,
+                   const unsigned int        n_advances)
+  {
+    const TemporaryFolder folder;
+    kept.write_state(folder.file("state"));
+    Simulation<2> resumed(scene, MPI_COMM_WORLD);
+    resumed.resume(folder.file("state"));
+    EXPECT_TRUE(same_bits(resumed.state(), kept.state()));
+    {
+      TimeSeries<2> of_kept(folder.file("kept.csv"), {"fault"});
+      TimeSeries<2> of_resumed(folder.file("resumed.csv"), {"fault"});
+      for (unsigned int i = 0; i < n_advances && !kept.is_finished(); ++i)
+        {
+          advance(kept, of_kept);
+          advance(resumed, of_resumed);
+          ASSERT_TRUE(same_bits(resumed.state(), kept.state())) << i;
+        }
+    }
+    EXPECT_EQ(content_of(folder.file("resumed.csv")),
+              content_of(folder.file("kept.csv")));
+    if (kept.energy_balance() != nullptr)
+      {
+        EXPECT_EQ(resumed.energy_balance()->defect(resumed.state()),
+                  kept.energy_balance()->defect(kept.state()));
+      }
+  }
+} // namespace
+
+
+
+TEST(Resume, GoesOnWithTheSameBitsAfterTheContactHasChanged)
+{
+  const Settings following = {"Gravity/Acceleration=1",
+                              "Faults/fault/Normal stress=lithostatic",
+                              "Faults/fault/Normal stress follows=true"};
+  for (const Settings &more :
+       {Settings{},
+        following,
+        Settings{"Time/Inertia=quasi-static"},
+        Settings{"Time/Inertia=quasi-dynamic"},
+        Settings{"Time/Step size control=step doubling",
+                 "Time/Doubling threshold=1e-3"},
+        Settings{"Time/Step size control=constant"},
+        Settings{"Time/Rate solver=condensed Newton"},
+        Settings{"Time/Rate-state method=nested"},
+        Settings{"Boundary conditions/upper top/x value=0.25+0.1*sin(5*t)"}})
+    {
+      SCOPED_TRACE(more.empty() ? "as it is" : more.back());
+      const SceneParameters<2> scene = sliding_scene(more);
+      Simulation<2>            kept(scene, MPI_COMM_WORLD);
+      kept.set_up();
+      while (kept.state().time < 1.)
+        kept.advance();
+      const unsigned int n_builds = kept.spatial_problem().n_builds();
+      EXPECT_GT(n_builds, 2u);
+      expect_same_bits(scene, kept, 15);
+      EXPECT_GT(kept.spatial_problem().n_builds(), n_builds + 1);
+    }
+}
+
+
+
+TEST(Resume, GoesOnWithTheSameBitsThroughAnEvent)
+{
+  const SceneParameters<2> scene =
+    published_scene("spring_slider",
+                    {"Bodies/lower/Refinement passes=2",
+                     "Bodies/upper/Refinement passes=1"});
+  Simulation<2> kept(scene, MPI_COMM_WORLD);
+  kept.set_up();
+  const auto mean_slip_rate = [&]() {
+    return fault_statistics(snapshots(kept).front()).mean_slip_rate;
+  };
+  while (mean_slip_rate() < 1e-5)
+    kept.advance();
+  // Through the peak.
+  expect_same_bits(scene, kept, 200);
+  EXPECT_GT(mean_slip_rate(), 1e-3);
+}
+
+
+
+TEST(Resume, WrongFilesAreRefused)
+{
+  const TemporaryFolder    folder;
+  const SceneParameters<2> scene = sliding_scene({});
+  Simulation<2>            simulation(scene, MPI_COMM_WORLD);
+  const auto message = [&](Simulation<2> &which, const std::string &name) {
+    return message_of([&]() { which.resume(folder.file(name)); });
+  };
+  expect_one_sentence_with(message(simulation, "none"),
+                           {folder.file("none"), "is not the state of a run"});
+  folder.write("text", "no state\n");
+  expect_one_sentence_with(message(simulation, "text"),
+                           {"is not the state of a run"});
+
+  simulation.set_up();
+  simulation.write_state(folder.file("state"));
+  Simulation<2> finer(sliding_scene({"Bodies/upper/Refinement passes=3"}),
+                      MPI_COMM_WORLD);
+  expect_one_sentence_with(message(finer, "state"),
+                           {"is not the state of a run with these meshes"});
+  EXPECT_THROW(simulation.write_state(folder.file("no/state")), InputError);
+}
