@@ -5,6 +5,7 @@
 #include <stickslip/friction/rate_and_state.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/simulation.h>
+#include <stickslip/time/newmark.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include "condensed_newton.h"

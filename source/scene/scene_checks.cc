@@ -58,12 +58,6 @@ namespace StickSlip
                   time.smallest_step,
                   "Largest step",
                   time.largest_step);
-      if (time.inertia != Inertia::dynamic &&
-          time.scheme == TimeScheme::generalised_alpha)
-        throw InputError(
-          naming("Time/Scheme", "generalised alpha") +
-          ": is for 'Time/Inertia' = 'dynamic'; without inertia there are no "
-          "oscillations to damp, and each step takes backward differences.");
       if (time.control == StepSizeControl::constant)
         return;
       check_order("Time",

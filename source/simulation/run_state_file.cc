@@ -22,6 +22,11 @@ namespace StickSlip
 {
   namespace
   {
+    /** First line of each file. */
+    const std::string first_line = "stickslip run state";
+
+
+
     /** Version of the format, to be changed with anything that is written. */
     constexpr unsigned int format_version = 1;
 
@@ -31,7 +36,6 @@ namespace StickSlip
     template <int dim>
     struct Header
     {
-      std::string        kind      = "stickslip run state";
       unsigned int       version   = format_version;
       unsigned int       dimension = dim;
       unsigned long long n_nodes   = 0;
@@ -39,15 +43,15 @@ namespace StickSlip
       bool
       operator==(const Header &other) const
       {
-        return kind == other.kind && version == other.version &&
-               dimension == other.dimension && n_nodes == other.n_nodes;
+        return version == other.version && dimension == other.dimension &&
+               n_nodes == other.n_nodes;
       }
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &kind &version &dimension &n_nodes;
+        archive &version &dimension &n_nodes;
       }
     };
 
@@ -134,6 +138,7 @@ namespace StickSlip
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       std::ostringstream content;
+      content << first_line << '\n';
       {
         boost::archive::binary_oarchive archive(content);
         const Header<dim>               start = header(level);
@@ -153,6 +158,10 @@ namespace StickSlip
     std::vector<std::vector<double>> vectors;
     carry_out_agreed(level.nodes.communicator(), [&]() {
       std::ifstream file(file_name, std::ios::binary);
+      std::string   line;
+      if (!std::getline(file, line) || line != first_line)
+        throw InputError("The file '" + file_name +
+                         "' is not the state of a run.");
       try
         {
           boost::archive::binary_iarchive archive(file);
@@ -164,10 +173,14 @@ namespace StickSlip
                              "by this version of the program.");
           archive >> state >> vectors;
         }
-      catch (const boost::archive::archive_exception &)
+      catch (const InputError &)
+        {
+          throw;
+        }
+      catch (const std::exception &)
         {
           throw InputError("The file '" + file_name +
-                           "' is not the state of a run.");
+                           "' with the state of a run is damaged.");
         }
     });
     auto values = vectors.begin();
