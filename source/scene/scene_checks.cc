@@ -441,8 +441,7 @@ namespace StickSlip
       throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
     const std::map<LinearCorrectionType, std::string> names = {
       {LinearCorrectionType::umfpack, "UMFPACK"},
-      {LinearCorrectionType::mumps, "MUMPS"},
-      {LinearCorrectionType::amg, "AMG"}};
+      {LinearCorrectionType::mumps, "MUMPS"}};
     const auto serial = names.find(scene.tnnmg.linear_correction);
     if (serial != names.end())
       throw InputError(naming("TNNMG/Linear correction", serial->second) +
