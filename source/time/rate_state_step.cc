@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/faults/contact_pressure.h>
@@ -46,8 +47,17 @@ namespace StickSlip
                      const TNNMGParameters &parameters)
     {
       if (method == RateSolver::condensed_newton)
-        return std::make_unique<CondensedSolver<dim>>(problem.operators(),
-                                                      parameters);
+        try
+          {
+            return std::make_unique<CondensedSolver<dim>>(problem.operators(),
+                                                          parameters);
+          }
+        catch (const AgreedFailure &failure)
+          {
+            throw AgreedFailure(failure.what() +
+                                std::string(" Choose another one as "
+                                            "'Time/Rate solver'."));
+          }
       return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
                                                 parameters);
     }
