@@ -120,7 +120,7 @@ namespace
 
     // The friction of each node from the formula.
     const RateAndStateParameters law =
-      dynamic_cast<const RateAndStateLaw &>(*faults.law(0).friction)
+      dynamic_cast<const RateAndStateLaw &>(*simulation.node_laws()[0].friction)
         .get_parameters();
     std::vector<Reference::FrictionCurve> curves;
     std::vector<double>                   start, weights, stresses, alpha;
