@@ -122,7 +122,7 @@ namespace StickSlip
         if (entry.sections.size() > 1 && entry.sections[1] == "BODY-ABOVE")
           continue; // The entries of all bodies are the same.
         if (entry.sections.size() > 3 && entry.name != "Where")
-          continue; // Those of a region are those of the fault.
+          continue; // Entries of a region are as in the fault.
         const std::string section = displayed_section(entry.sections);
         if (section != current)
           {

@@ -15,7 +15,7 @@ namespace StickSlip
   namespace
   {
     /**
-     * Whether a node takes part in the linear correction: not if the least
+     * True if a node takes part in the linear correction: not if the least
      * curvature over the components that phi_k depends on exceeds
      * @p factor times the diagonal of A, nor if the largest one does by so
      * much that single precision would lose the least.

@@ -54,8 +54,9 @@ namespace StickSlip
   public:
     /**
      * @param level The meshes.
-     * @param displacements The fault is coupled as it is after these.
-     * @param sides, displacements One entry a fault of the topology.
+     * @param sides One entry a fault of the topology.
+     * @param displacements One entry a fault, which is coupled as it is after
+     *   these.
      * @param dirichlet Nodes with a component masked here are no contact
      *   nodes; over the global numbers of the level.
      */

@@ -32,7 +32,7 @@ namespace StickSlip
   class SpatialProblem
   {
   public:
-    /** What the equation can have, in this order. */
+    /** Terms of the equation, in this order. */
     enum Term : unsigned int
     {
       mass      = 0,
@@ -50,7 +50,7 @@ namespace StickSlip
                    const bool                         with_inertia = true,
                    const std::vector<SlipRates<dim>> &slip_rates   = {});
 
-    /** Whether the equation has this term. */
+    /** True if the equation has this term. */
     bool
     has(const Term term) const;
 
@@ -71,7 +71,7 @@ namespace StickSlip
     void
     build_contact(const NodalVector &displacement);
 
-    /** Whether the last attempt to do so has succeeded; if not, there are no
+    /** True if the last attempt to do so has succeeded; if not, there are no
      * levels. */
     bool
     is_coupled() const;

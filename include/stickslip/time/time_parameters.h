@@ -26,7 +26,7 @@ namespace StickSlip
   };
 
   /**
-   * What of the inertia of the bodies is part of the model.
+   * Inertia of the bodies as far as it is part of the model.
    */
   enum class Inertia
   {

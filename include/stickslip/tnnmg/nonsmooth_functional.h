@@ -79,7 +79,7 @@ namespace StickSlip
     hessian(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
-     * What takes the place of the second derivative in a linear correction
+     * Substitute for the second derivative in a linear correction
      * where @p force, the negative gradient of all that is minimised, is left
      * at the node: symmetric, positive semidefinite, and close to hessian()
      * if the force is small. Where phi_k is far from quadratic, the slope of
@@ -92,7 +92,7 @@ namespace StickSlip
                    const Tensor<1, n_components> &force) const;
 
     /**
-     * Whether phi_k is twice differentiable in a neighbourhood of v. Where it
+     * True if phi_k is twice differentiable in a neighbourhood of v. Where it
      * is not, the node's nonsmooth components are truncated from the
      * linearisation whatever the size of the second derivative.
      */
@@ -100,7 +100,7 @@ namespace StickSlip
     is_smooth(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
-     * Whether phi_k depends on this component of the node's unknown. The
+     * True if phi_k depends on this component of the node's unknown. The
      * components it does not depend on are never truncated.
      */
     virtual bool
