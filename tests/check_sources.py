@@ -26,6 +26,20 @@ HEAVY_HEADERS = re.compile(
     re.MULTILINE,
 )
 
+COMMENT = re.compile(r"/\*\*?\s*(?:\*\s*)?(\w+ \w+)|(?<!/)//\s*(\w+ \w+)")
+NO_NOUN = re.compile(r"(Those|Which|Whether|What|Where|That of|The same|As if|So that)\b")
+
+
+def check_comments(relative, text):
+    """Yield a sentence for each comment that does not begin with its noun."""
+    # One line of // continues another one.
+    text = re.sub(r"(//[^\n]*)\n[ \t]*//", r"\1 ", text)
+    for match in COMMENT.finditer(text):
+        begin = match[1] or match[2]
+        if NO_NOUN.match(begin):
+            line = text.count("\n", 0, match.start()) + 1
+            yield f"{relative}, about line {line}: a comment begins with '{begin}'"
+
 
 def check_file(path, project):
     """Yield a sentence for each rule that the file breaks."""
@@ -44,6 +58,9 @@ def check_file(path, project):
         yield f"{relative}: the second line does not name the stickslip authors"
     if len(lines) > MAX_LINES:
         yield f"{relative}: {len(lines)} lines, more than {MAX_LINES}"
+
+    if relative.parts[0] in ("include", "source"):
+        yield from check_comments(relative, text)
 
     if path.suffix == ".h" and relative.parts[0] == "include":
         guard = "_".join(relative.with_suffix("").parts[1:]) + "_h"

@@ -9,6 +9,7 @@
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/simulation/contact_change.h>
+#include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
@@ -16,6 +17,9 @@
 #include <stickslip/simulation/run_ending.h>
 #include <stickslip/simulation/run_state_file.h>
 #include <stickslip/simulation/simulation.h>
+#include <stickslip/simulation/space_summary.h>
+#include <stickslip/simulation/step_summary.h>
+#include <stickslip/version.h>
 
 #include <algorithm>
 #include <iostream>
@@ -310,6 +314,36 @@ namespace StickSlip
   Simulation<dim>::finish(const std::string &ending)
   {
     record->finish(state(), summarise(ending));
+  }
+
+
+
+  template <int dim>
+  RunSummary
+  Simulation<dim>::summarise(const std::string &ending) const
+  {
+    RunSummary                     summary;
+    const std::vector<std::string> body_names = names_of(scene.bodies);
+    summary.add("Run", "program", std::string("stickslip ") + version);
+    summary.add("Run", "ending", ending);
+    summary.add("Run", "simulated time", state().time, "s");
+    summary.add_count("Run",
+                      "processes",
+                      Utilities::MPI::n_mpi_processes(communicator));
+    summarise_meshes(summary, mesh_hierarchy, body_names);
+    if (problem.is_coupled())
+      summarise_problem(summary, problem, body_names, names_of(scene.faults));
+    summarise_steps(summary, run_state, scene.time.control);
+    if (energy && problem.is_coupled())
+      summarise_energy(summary, *energy, state(), scene.time.inertia);
+    summarise_resources(summary,
+                        timer,
+                        construction_timer.last_wall_time(),
+                        problem.is_coupled() ?
+                          problem.hierarchy().memory_consumption() :
+                          0.,
+                        communicator);
+    return summary;
   }
 
 
