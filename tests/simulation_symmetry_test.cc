@@ -165,6 +165,37 @@ TEST(Symmetry, BodiesAndFaultsInAnyOrderGiveTheSameResult)
 
 
 
+TEST(Symmetry, TwoRigidBodiesSideBySideActAsOne)
+{
+  const SceneParameters<2> one =
+    read_scene(creeping_bodies, {"Bodies/lower/Rigid=true"});
+  const auto expected = faults_at_end(one, {"fault"});
+
+  SceneParameters<2> two = one;
+  two.bodies.push_back(one.bodies[0]);
+  two.bodies[2].name                      = "right";
+  two.bodies[0].geometry.lateral_upper[0] = 0.3;
+  two.bodies[2].geometry.lateral_lower[0] = 0.3;
+  constexpr auto top                      = BodyMesh<2>::upper_side,
+                 bottom                   = BodyMesh<2>::lower_side;
+  two.topology =
+    FaultTopology({"lower", "upper", "right"},
+                  {{"fault", {{{{0, top}, {2, top}}, {{1, bottom}}}}}});
+  const auto found = faults_at_end(two, {"fault"});
+
+  ASSERT_EQ(found[0].points, expected[0].points);
+  for (unsigned int k = 0; k < found[0].points.size(); ++k)
+    {
+      EXPECT_GT(expected[0].slip[k][0], 1e-5);
+      EXPECT_NEAR(found[0].weights[k], expected[0].weights[k], 1e-12);
+      EXPECT_NEAR(found[0].slip[k][0], expected[0].slip[k][0], 1e-9);
+      EXPECT_NEAR(found[0].slip_rate[k][0], expected[0].slip_rate[k][0], 1e-8);
+      EXPECT_NEAR(found[0].state[k], expected[0].state[k], 1e-6);
+    }
+}
+
+
+
 TEST(Symmetry, BothFaultsOfThreeBodiesShareTheLoading)
 {
   const auto faults = faults_at_end(three_bodies(), {}, {"first", "second"});
