@@ -112,7 +112,7 @@ namespace
     explicit Laws(const std::vector<std::string> &overrides)
     {
       const SteppingScene scene(creeping_bodies, overrides);
-      laws   = scene.faults.laws();
+      laws   = scene.laws;
       points = scene.problem.jump_basis().faults()[0].slave_surface.points;
     }
 

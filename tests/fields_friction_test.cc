@@ -95,11 +95,11 @@ TEST(FrictionFields, NumberExpressionAndTableOfTheSameValuesGiveTheSameRun)
 
 TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
 {
-  EXPECT_EQ(SteppingScene(creeping_bodies).faults.laws().laws.size(), 1u);
+  EXPECT_EQ(SteppingScene(creeping_bodies).laws.laws.size(), 1u);
 
   const SteppingScene patch(creeping_bodies,
                             {"Faults/fault/a=if(abs(x) < 0.51, 0.005, 0.02)"});
-  EXPECT_EQ(patch.faults.laws().laws.size(), 2u);
+  EXPECT_EQ(patch.laws.laws.size(), 2u);
   const std::vector<Point<2>> nodes = fault_nodes_of(patch);
   unsigned int                n_in  = 0;
   std::set<const FaultLaw *>  inside, outside;
@@ -107,9 +107,8 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
     {
       const bool is_in = std::abs(nodes[k][0]) < 0.51;
       n_in += is_in;
-      EXPECT_EQ(friction_parameters(patch.faults.law(k)).a,
-                is_in ? 0.005 : 0.02);
-      EXPECT_EQ(&patch.faults.law(k), &patch.faults.law(is_in ? 8 : 0));
+      EXPECT_EQ(friction_parameters(patch.laws[k]).a, is_in ? 0.005 : 0.02);
+      EXPECT_EQ(&patch.laws[k], &patch.laws[is_in ? 8 : 0]);
     }
   // Every 0.125 m there is a node.
   EXPECT_EQ(n_in, 9u);
@@ -117,9 +116,9 @@ TEST(FrictionFields, NodesWithTheSameParametersShareALaw)
 
   const SteppingScene       varying(creeping_bodies, varying_friction);
   const std::vector<double> a = varying.scene.faults[0]["a"].values(nodes, "");
-  EXPECT_EQ(varying.faults.laws().laws.size(), nodes.size());
+  EXPECT_EQ(varying.laws.laws.size(), nodes.size());
   for (unsigned int k = 0; k < nodes.size(); ++k)
-    EXPECT_EQ(friction_parameters(varying.faults.law(k)).a, a[k]);
+    EXPECT_EQ(friction_parameters(varying.laws[k]).a, a[k]);
 }
 
 
