@@ -36,6 +36,25 @@ namespace StickSlip::Tests
 
 
 
+  /** Messages without those of mpirun itself, which stand between two rules. */
+  inline std::string
+  without_launcher(std::string messages)
+  {
+    const std::string rule(74, '-');
+    std::size_t       begin;
+    while ((begin = messages.find(rule)) != std::string::npos)
+      {
+        const std::size_t end = messages.find(rule, begin + rule.size());
+        messages.erase(begin,
+                       end == std::string::npos ?
+                         end :
+                         end + rule.size() + 1 - begin);
+      }
+    return messages;
+  }
+
+
+
   /** Run a shell command in a folder. */
   inline Outcome
   run_command(const TemporaryFolder &folder, const std::string &command)
@@ -45,7 +64,7 @@ namespace StickSlip::Tests
     const int status = std::system(whole.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
             content_of(folder.file("output.txt")),
-            content_of(folder.file("errors.txt"))};
+            without_launcher(content_of(folder.file("errors.txt")))};
   }
 
 

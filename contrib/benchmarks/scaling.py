@@ -88,7 +88,7 @@ PROBLEMS = [
 
 
 def measure(problem, n_processes):
-    command = ["mpirun", "-q", "-np", str(n_processes)]
+    command = ["mpirun", "-np", str(n_processes)]
     command += [str(programs.PROJECT / "build/rate_problem"), problem.scene]
     command += programs.options(NUCLEATING | problem.overrides)
     output = subprocess.run(
