@@ -221,14 +221,18 @@ namespace StickSlip
   void
   RunRecord<dim>::write_volume_now(const VolumeNodalValues &values)
   {
+    // A file that cannot be written leaves a gap, and the next one is tried.
+    const unsigned int number = files->pvd.entries().size() + n_missed_volumes;
+    ++n_missed_volumes;
     files->pvd.add(last_step.time,
                    write_volume(scene.output.directory,
-                                files->pvd.entries().size(),
+                                number,
                                 last_step.time,
                                 level,
                                 values,
                                 volume_materials(scene),
                                 scene.output.volume_fields));
+    --n_missed_volumes;
   }
 
 

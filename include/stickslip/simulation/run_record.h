@@ -105,6 +105,9 @@ namespace StickSlip
     bool                            in_time_series   = true;
     bool                            in_fault_history = true;
     bool                            in_volume_output = true;
+
+    /** Volume files that could not be written. */
+    unsigned int n_missed_volumes = 0;
   };
 } // namespace StickSlip
 
