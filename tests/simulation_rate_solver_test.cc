@@ -74,7 +74,7 @@ TEST(RateSolver, CondensedNewtonGivesTheSlipRatesOfTNNMG)
 TEST(RateSolver, OtherCorrectionsGiveTheSlipRatesOfMultigrid)
 {
   SteppingScene reference(creeping_bodies);
-  for (const std::string correction : {"UMFPACK", "MUMPS", "AMG"})
+  for (const std::string correction : {"UMFPACK", "MUMPS"})
     {
       SCOPED_TRACE(correction);
       SteppingScene scene(creeping_bodies,
