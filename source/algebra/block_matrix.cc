@@ -49,14 +49,6 @@ namespace StickSlip
 
 
 
-  std::size_t
-  BlockSparsity::n_entries() const
-  {
-    return column.size();
-  }
-
-
-
   unsigned int
   BlockSparsity::position(const unsigned int row, const unsigned int col) const
   {
@@ -89,15 +81,6 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
-  const std::shared_ptr<const BlockSparsity> &
-  BlockMatrix<n_components, Number>::shared_sparsity() const
-  {
-    return pattern;
-  }
-
-
-
-  template <int n_components, typename Number>
   unsigned int
   BlockMatrix<n_components, Number>::n_rows() const
   {
@@ -123,15 +106,6 @@ namespace StickSlip
   template <int n_components, typename Number>
   AlignedVector<Number> &
   BlockMatrix<n_components, Number>::values()
-  {
-    return entries;
-  }
-
-
-
-  template <int n_components, typename Number>
-  const AlignedVector<Number> &
-  BlockMatrix<n_components, Number>::values() const
   {
     return entries;
   }

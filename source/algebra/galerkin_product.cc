@@ -173,33 +173,6 @@ namespace StickSlip
 
 
   template <int n_components>
-  const NodePartition &
-  GalerkinProduct<n_components>::coarse_nodes() const
-  {
-    return nodes;
-  }
-
-
-
-  template <int n_components>
-  const TransferMatrix &
-  GalerkinProduct<n_components>::prolongation() const
-  {
-    return transfer;
-  }
-
-
-
-  template <int n_components>
-  const std::shared_ptr<const BlockSparsity> &
-  GalerkinProduct<n_components>::coarse_sparsity() const
-  {
-    return sparsity;
-  }
-
-
-
-  template <int n_components>
   template <typename FineNumber, typename CoarseNumber>
   void
   GalerkinProduct<n_components>::compute(

@@ -35,14 +35,6 @@ namespace StickSlip
 
 
   unsigned int
-  NodeMask::n_nodes() const
-  {
-    return active.size();
-  }
-
-
-
-  unsigned int
   NodeMask::n_masked(const unsigned int n) const
   {
     unsigned int count = 0;

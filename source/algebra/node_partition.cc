@@ -101,14 +101,6 @@ namespace StickSlip
 
 
 
-  unsigned int
-  NodePartition::n_components() const
-  {
-    return components;
-  }
-
-
-
   MPI_Comm
   NodePartition::communicator() const
   {
@@ -146,14 +138,6 @@ namespace StickSlip
   NodePartition::global_index(const unsigned int node) const
   {
     return node_partitioner->local_to_global(node);
-  }
-
-
-
-  const std::shared_ptr<const Utilities::MPI::Partitioner> &
-  NodePartition::nodes() const
-  {
-    return node_partitioner;
   }
 
 

@@ -197,22 +197,6 @@ namespace StickSlip
 
 
 
-  const TransferMatrix::Compressed &
-  TransferMatrix::matrix() const
-  {
-    return by_row;
-  }
-
-
-
-  const TransferMatrix::Compressed &
-  TransferMatrix::transpose() const
-  {
-    return by_column;
-  }
-
-
-
 #define STICKSLIP_INSTANTIATE(Number)                                          \
   template void TransferMatrix::prolongate<Number>(NodeValues<Number> &,       \
                                                    const NodeValues<Number> &, \

@@ -31,15 +31,6 @@ namespace StickSlip
 
 
 
-  template <int n_components>
-  unsigned int
-  CondensedEntries<n_components>::size() const
-  {
-    return positions.size();
-  }
-
-
-
   namespace
   {
     /** Calls action(i, j, value) for each entry of the block diagonal H. */

@@ -301,15 +301,6 @@ namespace StickSlip
 
 
   template <int n_components>
-  unsigned int
-  CondensedSolver<n_components>::n_condensed() const
-  {
-    return condensations;
-  }
-
-
-
-  template <int n_components>
   std::vector<double>
   CondensedSolver<n_components>::entries_of(const NodalVector &z) const
   {

@@ -41,24 +41,6 @@ namespace StickSlip
 
   template <int dim>
   unsigned int
-  FaultNodes<dim>::size() const
-  {
-    return nodes.size();
-  }
-
-
-
-  template <int dim>
-  const std::vector<unsigned int> &
-  FaultNodes<dim>::first_of_fault() const
-  {
-    return first;
-  }
-
-
-
-  template <int dim>
-  unsigned int
   FaultNodes<dim>::fault(const unsigned int k) const
   {
     return fault_of_node[k];
@@ -80,24 +62,6 @@ namespace StickSlip
   FaultNodes<dim>::in_contact(const unsigned int k) const
   {
     return active[k];
-  }
-
-
-
-  template <int dim>
-  const std::vector<double> &
-  FaultNodes<dim>::weights() const
-  {
-    return node_weights;
-  }
-
-
-
-  template <int dim>
-  const std::vector<unsigned int> &
-  FaultNodes<dim>::owned_contact() const
-  {
-    return contact_positions;
   }
 
 

@@ -149,24 +149,6 @@ namespace StickSlip
 
 
   template <int dim>
-  const std::vector<double> &
-  FaultFriction<dim>::get_weights() const
-  {
-    return weights;
-  }
-
-
-
-  template <int dim>
-  const std::vector<double> &
-  FaultFriction<dim>::get_normal_stresses() const
-  {
-    return normal_stresses;
-  }
-
-
-
-  template <int dim>
   const FrictionLaw &
   FaultFriction<dim>::law(const unsigned int k) const
   {

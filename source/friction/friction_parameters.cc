@@ -21,14 +21,6 @@ namespace StickSlip
 
 
 
-  const LawKind &
-  FrictionParameters::kind() const
-  {
-    return *chosen_kind;
-  }
-
-
-
   SpatialField &
   FrictionParameters::operator[](const std::string &entry)
   {

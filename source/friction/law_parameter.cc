@@ -146,12 +146,4 @@ namespace StickSlip
                            "' is read, but not listed");
   }
 
-
-
-  const std::vector<double> &
-  LawValues::all() const
-  {
-    return values;
-  }
-
 } // namespace StickSlip

@@ -185,14 +185,6 @@ namespace StickSlip
 
 
 
-  const std::vector<LawKind> &
-  LawRegistry::kinds() const
-  {
-    return known_kinds;
-  }
-
-
-
   const LawKind &
   LawRegistry::kind(const std::string &name) const
   {
@@ -202,13 +194,5 @@ namespace StickSlip
                    [&name](const LawKind &kind) { return kind.name == name; });
     AssertThrow(place != known_kinds.end(), ExcMessage("No kind is " + name));
     return *place;
-  }
-
-
-
-  const std::vector<LawParameter> &
-  LawRegistry::parameters() const
-  {
-    return known_parameters;
   }
 } // namespace StickSlip

@@ -330,22 +330,6 @@ namespace StickSlip
 
 
 
-  const RateAndStateParameters &
-  RateAndStateLaw::get_parameters() const
-  {
-    return parameters;
-  }
-
-
-
-  Regularisation
-  RateAndStateLaw::get_regularisation() const
-  {
-    return regularisation;
-  }
-
-
-
   VelocityStrengtheningLaw::VelocityStrengtheningLaw(const LawValues &values)
     : RateAndStateLaw({values[CommonParameters::direct_effect()],
                        0.,

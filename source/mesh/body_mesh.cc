@@ -358,46 +358,10 @@ namespace StickSlip
 
 
   template <int dim>
-  const Triangulation<dim> &
-  BodyMesh<dim>::triangulation() const
-  {
-    return *mesh;
-  }
-
-
-
-  template <int dim>
-  const DoFHandler<dim> &
-  BodyMesh<dim>::dof_handler() const
-  {
-    return *dofs;
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  BodyMesh<dim>::bound_nodes() const
-  {
-    return constraints;
-  }
-
-
-
-  template <int dim>
   const Tensor<1, dim - 1> &
   BodyMesh<dim>::lateral_period() const
   {
     return period;
-  }
-
-
-
-  template <int dim>
-  bool
-  BodyMesh<dim>::is_rigid() const
-  {
-    return rigid;
   }
 
 

@@ -42,22 +42,6 @@ namespace StickSlip
 
 
 
-  const std::vector<std::string> &
-  FaultTopology::body_names() const
-  {
-    return bodies;
-  }
-
-
-
-  const std::vector<Fault> &
-  FaultTopology::faults() const
-  {
-    return all_faults;
-  }
-
-
-
   std::set<types::boundary_id>
   FaultTopology::sides_at_faults(const unsigned int body) const
   {

@@ -194,37 +194,10 @@ namespace StickSlip
 
 
   template <int dim>
-  unsigned int
-  MeshHierarchy<dim>::n_levels() const
-  {
-    return levels.size();
-  }
-
-
-
-  template <int dim>
-  const FaultTopology &
-  MeshHierarchy<dim>::topology() const
-  {
-    return faults;
-  }
-
-
-
-  template <int dim>
   const MeshLevel<dim> &
   MeshHierarchy<dim>::level(const unsigned int l) const
   {
     return levels[l];
-  }
-
-
-
-  template <int dim>
-  const MeshLevel<dim> &
-  MeshHierarchy<dim>::finest() const
-  {
-    return levels.back();
   }
 
 

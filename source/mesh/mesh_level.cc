@@ -172,15 +172,6 @@ namespace StickSlip
 
   template <int dim>
   types::global_dof_index
-  MeshLevel<dim>::n_nodes() const
-  {
-    return global_numbers.size();
-  }
-
-
-
-  template <int dim>
-  types::global_dof_index
   MeshLevel<dim>::global_node(const unsigned int            body,
                               const types::global_dof_index dof) const
   {
@@ -224,15 +215,6 @@ namespace StickSlip
     AssertIndexRange(fault, surfaces.size());
     AssertIndexRange(side, 2);
     return surfaces[fault][side];
-  }
-
-
-
-  template <int dim>
-  const IndexSet &
-  MeshLevel<dim>::strip() const
-  {
-    return strip_nodes;
   }
 
 

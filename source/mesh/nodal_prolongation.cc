@@ -151,14 +151,6 @@ namespace StickSlip
 
 
 
-  const IndexSet &
-  NodalProlongation::rows() const
-  {
-    return fine_nodes;
-  }
-
-
-
   IndexSet
   NodalProlongation::columns(const types::global_dof_index n_coarse) const
   {

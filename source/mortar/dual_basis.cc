@@ -83,15 +83,6 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  DualBasis<dim>::is_valid() const
-  {
-    return valid;
-  }
-
-
-
-  template <int dim>
   void
   DualBasis<dim>::restrict_to(const std::array<bool, n> &active)
   {

@@ -147,15 +147,6 @@ namespace StickSlip
 
 
   template <int dim>
-  double
-  FaceShape<dim>::measure() const
-  {
-    return size;
-  }
-
-
-
-  template <int dim>
   std::array<double, FaceShape<dim>::n_vertices>
   FaceShape<dim>::shape_values(const Point<dim - 1> &x) const
   {

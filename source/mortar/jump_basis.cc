@@ -89,15 +89,6 @@ namespace StickSlip
 
 
   template <int dim>
-  const std::vector<FaultContact<dim>> &
-  JumpBasis<dim>::faults() const
-  {
-    return contacts;
-  }
-
-
-
-  template <int dim>
   GlobalRow
   JumpBasis<dim>::to_nodal(const types::global_dof_index node) const
   {
@@ -122,15 +113,6 @@ namespace StickSlip
     GlobalRow    row    = {{node, factor}};
     add_multiple(row, -factor, jump->second.second);
     return row;
-  }
-
-
-
-  template <int dim>
-  const std::vector<types::global_dof_index> &
-  JumpBasis<dim>::contact_nodes() const
-  {
-    return active_nodes;
   }
 
 

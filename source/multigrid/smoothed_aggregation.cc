@@ -34,15 +34,6 @@ namespace StickSlip
 
   template <int n_components>
   bool
-  SmoothedAggregation<n_components>::is_set() const
-  {
-    return cycles != nullptr;
-  }
-
-
-
-  template <int n_components>
-  bool
   SmoothedAggregation<n_components>::set_matrix(
     const BlockMatrix<n_components> &matrix,
     const NodeMask                  &mask)

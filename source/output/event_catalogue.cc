@@ -147,24 +147,6 @@ namespace StickSlip
 
 
   template <int dim>
-  const std::vector<SlipEvent> &
-  EventCatalogue<dim>::events() const
-  {
-    return memory.written;
-  }
-
-
-
-  template <int dim>
-  const EventState &
-  EventCatalogue<dim>::state() const
-  {
-    return memory;
-  }
-
-
-
-  template <int dim>
   void
   EventCatalogue<dim>::resume(const EventState &state)
   {

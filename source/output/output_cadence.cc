@@ -51,14 +51,6 @@ namespace StickSlip
 
 
 
-  const CadenceState &
-  OutputCadence::state() const
-  {
-    return last;
-  }
-
-
-
   void
   OutputCadence::resume(const CadenceState &state)
   {

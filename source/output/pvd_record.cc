@@ -36,14 +36,6 @@ namespace StickSlip
 
 
 
-  const VolumeEntries &
-  PvdRecord::entries() const
-  {
-    return files;
-  }
-
-
-
   void
   PvdRecord::resume(const VolumeEntries &entries)
   {

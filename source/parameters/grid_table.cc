@@ -273,14 +273,6 @@ namespace StickSlip
 
 
 
-  const std::vector<unsigned int> &
-  GridTable::axes() const
-  {
-    return column_axes;
-  }
-
-
-
   template <int dim>
   double
   GridTable::value(const Point<dim> &point) const

@@ -102,15 +102,6 @@ namespace StickSlip
 
 
   template <int dim>
-  const EnergyTerms &
-  EnergyBalance<dim>::work() const
-  {
-    return account.work;
-  }
-
-
-
-  template <int dim>
   double
   EnergyBalance<dim>::kinetic_energy(const SystemState<dim> &state) const
   {

@@ -339,42 +339,6 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  const FaultNodes<dim> &
-  RateStateStep<dim>::faults() const
-  {
-    return fault_nodes;
-  }
-
-
-
-  template <int dim>
-  const NodeLaws &
-  RateStateStep<dim>::laws() const
-  {
-    return node_laws;
-  }
-
-
-
-  template <int dim>
-  const TimeScheme<dim> &
-  RateStateStep<dim>::scheme() const
-  {
-    return *time_scheme;
-  }
-
-
-
-  template <int dim>
-  double
-  RateStateStep<dim>::longest_ramp() const
-  {
-    return problem.longest_ramp();
-  }
-
-
-
   template class RateStateStep<2>;
   template class RateStateStep<3>;
 } // namespace StickSlip

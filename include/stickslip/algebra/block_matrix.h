@@ -38,7 +38,10 @@ namespace StickSlip
     n_rows() const;
 
     std::size_t
-    n_entries() const;
+    n_entries() const
+    {
+      return column.size();
+    }
 
     /** Position of the entry (row, column); it must exist. */
     unsigned int
@@ -80,7 +83,10 @@ namespace StickSlip
     }
 
     const std::shared_ptr<const BlockSparsity> &
-    shared_sparsity() const;
+    shared_sparsity() const
+    {
+      return pattern;
+    }
 
     unsigned int
     n_rows() const;
@@ -117,7 +123,10 @@ namespace StickSlip
     values();
 
     const AlignedVector<Number> &
-    values() const;
+    values() const
+    {
+      return entries;
+    }
 
     Kernels::BlockRows<Number>
     rows() const;

@@ -43,14 +43,23 @@ namespace StickSlip
 
     /** The coarse nodes; ghosts are the columns of P and of the product. */
     const NodePartition &
-    coarse_nodes() const;
+    coarse_nodes() const
+    {
+      return nodes;
+    }
 
     /** P, with rows for owned and ghost fine nodes. */
     const TransferMatrix &
-    prolongation() const;
+    prolongation() const
+    {
+      return transfer;
+    }
 
     const std::shared_ptr<const BlockSparsity> &
-    coarse_sparsity() const;
+    coarse_sparsity() const
+    {
+      return sparsity;
+    }
 
     /**
      * All rows of coarse = P^T (S A S) P, where S sets the components masked

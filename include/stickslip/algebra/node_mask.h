@@ -54,7 +54,10 @@ namespace StickSlip
     }
 
     unsigned int
-    n_nodes() const;
+    n_nodes() const
+    {
+      return active.size();
+    }
 
     /** Number of masked components of the first @p n nodes. */
     unsigned int

@@ -84,7 +84,10 @@ namespace StickSlip
 
     /** Number of vector entries a node. */
     unsigned int
-    n_components() const;
+    n_components() const
+    {
+      return components;
+    }
 
     /** Processes that share the nodes. By value, as deal.II gives it since 9.5.
      */
@@ -109,7 +112,10 @@ namespace StickSlip
 
     /** The partition of the nodes. */
     const std::shared_ptr<const Utilities::MPI::Partitioner> &
-    nodes() const;
+    nodes() const
+    {
+      return node_partitioner;
+    }
 
     /** A zero vector. */
     template <typename Number = double>

@@ -83,11 +83,17 @@ namespace StickSlip
     };
 
     const Compressed &
-    matrix() const;
+    matrix() const
+    {
+      return by_row;
+    }
 
     /** The transpose of the rows of owned fine nodes. */
     const Compressed &
-    transpose() const;
+    transpose() const
+    {
+      return by_column;
+    }
 
   private:
     void

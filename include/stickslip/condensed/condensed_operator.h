@@ -37,7 +37,10 @@ namespace StickSlip
     std::vector<std::array<unsigned int, n_components>> of_node;
 
     unsigned int
-    size() const;
+    size() const
+    {
+      return positions.size();
+    }
   };
 
   /**

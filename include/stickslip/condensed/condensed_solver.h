@@ -54,7 +54,10 @@ namespace StickSlip
 
     /** Number of operators condensed so far. */
     unsigned int
-    n_condensed() const;
+    n_condensed() const
+    {
+      return condensations;
+    }
 
   private:
     struct Operator

@@ -29,11 +29,17 @@ namespace StickSlip
 
     /** Number of slave nodes of all faults. */
     unsigned int
-    size() const;
+    size() const
+    {
+      return nodes.size();
+    }
 
     /** Position of the first node of each fault, and size(). */
     const std::vector<unsigned int> &
-    first_of_fault() const;
+    first_of_fault() const
+    {
+      return first;
+    }
 
     /** The fault of a slave node. */
     unsigned int
@@ -48,12 +54,18 @@ namespace StickSlip
 
     /** Integral of the dual basis function, m^(d-1); zero off contact. */
     const std::vector<double> &
-    weights() const;
+    weights() const
+    {
+      return node_weights;
+    }
 
     /** The positions of the owned nodes that are in contact, in the order of
      * the terms of the functional of friction (fault_functional.h). */
     const std::vector<unsigned int> &
-    owned_contact() const;
+    owned_contact() const
+    {
+      return contact_positions;
+    }
 
     /** The entries at owned_contact() of an array over the slave nodes. */
     std::vector<double>

@@ -81,13 +81,19 @@ namespace StickSlip
      * The integrals of the slave basis functions.
      */
     const std::vector<double> &
-    get_weights() const;
+    get_weights() const
+    {
+      return weights;
+    }
 
     /**
      * The normal stresses as last set.
      */
     const std::vector<double> &
-    get_normal_stresses() const;
+    get_normal_stresses() const
+    {
+      return normal_stresses;
+    }
 
     /**
      * The law at term @p k.

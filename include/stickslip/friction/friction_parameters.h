@@ -28,7 +28,10 @@ namespace StickSlip
 
     /** Kind of friction, the entry 'Friction'. */
     const LawKind &
-    kind() const;
+    kind() const
+    {
+      return *chosen_kind;
+    }
 
     /** Parameter that an entry sets; a choice is the position of its word. */
     SpatialField &

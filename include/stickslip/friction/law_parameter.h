@@ -108,7 +108,10 @@ namespace StickSlip
 
     /** All values in the order of the parameters. */
     const std::vector<double> &
-    all() const;
+    all() const
+    {
+      return values;
+    }
 
   private:
     const std::vector<LawParameter> &parameters;

@@ -67,7 +67,10 @@ namespace StickSlip
      * lists, the characteristic slip if it has friction, and the state law if
      * it has a state. */
     const std::vector<LawKind> &
-    kinds() const;
+    kinds() const
+    {
+      return known_kinds;
+    }
 
     /** The kind of a name that is there. */
     const LawKind &
@@ -75,7 +78,10 @@ namespace StickSlip
 
     /** The parameters of all kinds, each of them once. */
     const std::vector<LawParameter> &
-    parameters() const;
+    parameters() const
+    {
+      return known_parameters;
+    }
 
   private:
     void

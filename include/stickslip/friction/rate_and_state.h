@@ -130,10 +130,16 @@ namespace StickSlip
                        const double log_minimal_slip_rate) const;
 
     const RateAndStateParameters &
-    get_parameters() const;
+    get_parameters() const
+    {
+      return parameters;
+    }
 
     Regularisation
-    get_regularisation() const;
+    get_regularisation() const
+    {
+      return regularisation;
+    }
 
   private:
     const RateAndStateParameters parameters;

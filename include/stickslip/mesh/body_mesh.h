@@ -69,13 +69,22 @@ namespace StickSlip
     cell_diameters() const;
 
     const Triangulation<dim> &
-    triangulation() const;
+    triangulation() const
+    {
+      return *mesh;
+    }
 
     const DoFHandler<dim> &
-    dof_handler() const;
+    dof_handler() const
+    {
+      return *dofs;
+    }
 
     const AffineConstraints<double> &
-    bound_nodes() const;
+    bound_nodes() const
+    {
+      return constraints;
+    }
 
     /** Length after which fields repeat along each horizontal axis, m; zero:
      * the body ends there. */
@@ -84,7 +93,10 @@ namespace StickSlip
 
     /** True if the body does not deform; it has one cell then. */
     bool
-    is_rigid() const;
+    is_rigid() const
+    {
+      return rigid;
+    }
 
   private:
     void

@@ -61,10 +61,16 @@ namespace StickSlip
 
     /** Names of all bodies, in the order in which they are numbered. */
     const std::vector<std::string> &
-    body_names() const;
+    body_names() const
+    {
+      return bodies;
+    }
 
     const std::vector<Fault> &
-    faults() const;
+    faults() const
+    {
+      return all_faults;
+    }
 
     /** The boundary indicators of a body's sides at faults. */
     std::set<types::boundary_id>

@@ -41,16 +41,25 @@ namespace StickSlip
                   const unsigned int min_nodes_per_process = 500);
 
     unsigned int
-    n_levels() const;
+    n_levels() const
+    {
+      return levels.size();
+    }
 
     const FaultTopology &
-    topology() const;
+    topology() const
+    {
+      return faults;
+    }
 
     const MeshLevel<dim> &
     level(const unsigned int l) const;
 
     const MeshLevel<dim> &
-    finest() const;
+    finest() const
+    {
+      return levels.back();
+    }
 
     /**
      * Nodal values on level @p l of the functions of level l-1, in global

@@ -41,7 +41,10 @@ namespace StickSlip
 
     /** Number of nodes of all bodies. */
     types::global_dof_index
-    n_nodes() const;
+    n_nodes() const
+    {
+      return global_numbers.size();
+    }
 
     /** The global number of the node at a degree of freedom of a body. */
     types::global_dof_index
@@ -65,7 +68,10 @@ namespace StickSlip
     /** Global numbers of the nodes of all cells at faults, those to which
      * hanging ones are bound. */
     const IndexSet &
-    strip() const;
+    strip() const
+    {
+      return strip_nodes;
+    }
 
   private:
     IndexSet

@@ -34,7 +34,10 @@ namespace StickSlip
 
     /** The fine nodes that have a row here. */
     const IndexSet &
-    rows() const;
+    rows() const
+    {
+      return fine_nodes;
+    }
 
     /** The coarse nodes in any row here. */
     IndexSet

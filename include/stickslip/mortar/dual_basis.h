@@ -47,7 +47,10 @@ namespace StickSlip
     explicit DualBasis(const Matrix &mass);
 
     bool
-    is_valid() const;
+    is_valid() const
+    {
+      return valid;
+    }
 
     /**
      * Give the functions of the vertices that are not @p active to those that

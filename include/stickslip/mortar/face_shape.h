@@ -38,7 +38,10 @@ namespace StickSlip
 
     /** Length (m) or area (m^2). */
     double
-    measure() const;
+    measure() const
+    {
+      return size;
+    }
 
     /**
      * The shape functions of all vertices at a point of the face, given in the

@@ -66,7 +66,10 @@ namespace StickSlip
               const NodeMask                            &dirichlet);
 
     const std::vector<FaultContact<dim>> &
-    faults() const;
+    faults() const
+    {
+      return contacts;
+    }
 
     /** A row of B. */
     GlobalRow
@@ -78,7 +81,10 @@ namespace StickSlip
 
     /** Global numbers of the active slave nodes of all faults, ascending. */
     const std::vector<types::global_dof_index> &
-    contact_nodes() const;
+    contact_nodes() const
+    {
+      return active_nodes;
+    }
 
     /** Local indices of the active slave nodes that this process owns,
      * ascending. */

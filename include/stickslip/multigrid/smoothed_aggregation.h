@@ -35,7 +35,10 @@ namespace StickSlip
 
     /** Return whether there are cycles. */
     bool
-    is_set() const;
+    is_set() const
+    {
+      return cycles != nullptr;
+    }
 
     /** Make the cycles for a matrix; returns whether they could be made. */
     bool

@@ -133,13 +133,19 @@ namespace StickSlip
      * The events that have been written.
      */
     const std::vector<SlipEvent> &
-    events() const;
+    events() const
+    {
+      return memory.written;
+    }
 
     /**
      * Memory of all that has been taken in.
      */
     const EventState &
-    state() const;
+    state() const
+    {
+      return memory;
+    }
 
     /**
      * Go on from the state of another catalogue, before anything is taken in;

@@ -60,7 +60,10 @@ namespace StickSlip
      * Memory of the last time that something was written.
      */
     const CadenceState &
-    state() const;
+    state() const
+    {
+      return last;
+    }
 
     /**
      * Go on from another cadence's state.

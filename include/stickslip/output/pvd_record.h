@@ -33,7 +33,10 @@ namespace StickSlip
 
     /** The files added so far. */
     const VolumeEntries &
-    entries() const;
+    entries() const
+    {
+      return files;
+    }
 
     /** Begin with the files of another list. */
     void

@@ -40,7 +40,10 @@ namespace StickSlip
      * for z.
      */
     const std::vector<unsigned int> &
-    axes() const;
+    axes() const
+    {
+      return column_axes;
+    }
 
     /**
      * The value at a point. All axes() must be less than @p dim.

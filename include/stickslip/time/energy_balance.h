@@ -104,7 +104,10 @@ namespace StickSlip
 
     /** Work since the start. */
     const EnergyTerms &
-    work() const;
+    work() const
+    {
+      return account.work;
+    }
 
     /** 1/2 v . M v and 1/2 u . K u, J. Collective. */
     double

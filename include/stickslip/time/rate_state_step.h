@@ -57,17 +57,29 @@ namespace StickSlip
          const Prediction<dim>  *prediction = nullptr);
 
     const FaultNodes<dim> &
-    faults() const;
+    faults() const
+    {
+      return fault_nodes;
+    }
 
     const NodeLaws &
-    laws() const;
+    laws() const
+    {
+      return node_laws;
+    }
 
     const TimeScheme<dim> &
-    scheme() const;
+    scheme() const
+    {
+      return *time_scheme;
+    }
 
     /** The length of the longest ramp of what is prescribed, s. */
     double
-    longest_ramp() const;
+    longest_ramp() const
+    {
+      return problem.longest_ramp();
+    }
 
   private:
     /** Time, state, normal stress, contact pressure and velocity with which the
