@@ -104,11 +104,11 @@ TEST(ContactPressure, CarriesTheWeightAtAnyOverlap)
   unsigned int checks = 0;
   while (!simulation.is_finished())
     {
-      const unsigned int builds = simulation.spatial_problem().n_builds();
+      const unsigned int builds = simulation.counts().contact_mappings;
       simulation.advance();
       // The normal stress is that of the last step: of the old mapping, where
       // there is a new one.
-      if (simulation.spatial_problem().n_builds() != builds)
+      if (simulation.counts().contact_mappings != builds)
         continue;
       const FaultSnapshot<2> fault = snapshots(simulation).front();
       double                 force = 0.;
@@ -118,7 +118,7 @@ TEST(ContactPressure, CarriesTheWeightAtAnyOverlap)
       ++checks;
     }
   EXPECT_GT(checks, 100u);
-  EXPECT_GT(simulation.spatial_problem().n_builds(), 30u);
+  EXPECT_GT(simulation.counts().contact_mappings, 30u);
   // It has slid by half of its length.
   const FaultSnapshot<2> fault = snapshots(simulation).front();
   EXPECT_NEAR(mean(fault, fault.slip), 1., 0.02);

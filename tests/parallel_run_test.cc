@@ -67,9 +67,9 @@ namespace
   {
     const SceneParameters<2> scene = sliding_scene(more);
     SharedAndAlone           runs(scene);
-    EXPECT_GT(runs.alone.spatial_problem().n_builds(), 5u);
-    EXPECT_EQ(runs.shared.spatial_problem().n_builds(),
-              runs.alone.spatial_problem().n_builds());
+    EXPECT_GT(runs.alone.counts().contact_mappings, 5u);
+    EXPECT_EQ(runs.shared.counts().contact_mappings,
+              runs.alone.counts().contact_mappings);
     for (unsigned int k = 0; k < runs.one.slip.size(); ++k)
       {
         EXPECT_NEAR(runs.ours.weights[k], runs.one.weights[k], 1e-6);

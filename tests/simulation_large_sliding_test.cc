@@ -84,9 +84,9 @@ namespace
             EXPECT_EQ(fault.slip_rate[k][0], 0.);
           }
 
-      if (simulation.spatial_problem().n_builds() > builds)
+      if (simulation.counts().contact_mappings > builds)
         {
-          builds = simulation.spatial_problem().n_builds();
+          builds = simulation.counts().contact_mappings;
           ++n_rebuilt;
           // The ends of the two sides now, from their end nodes: what they
           // have in common is in contact but for what is lost for good.
@@ -148,7 +148,7 @@ TEST(LargeSliding, IsNotFollowedIfSwitchedOff)
   Simulation<2> simulation(sliding_scene({"Contact/Follow slip=false"}),
                            MPI_COMM_WORLD);
   run(simulation, []() {});
-  EXPECT_EQ(simulation.spatial_problem().n_builds(), 1u);
+  EXPECT_EQ(simulation.counts().contact_mappings, 1u);
   const FaultSnapshot<2> fault = snapshots(simulation).front();
   EXPECT_NEAR(sum(fault.weights), 2., 1e-12);
   for (const auto &slip : fault.slip)
@@ -167,7 +167,7 @@ TEST(LargeSliding, RebuildsMoreOftenWithASmallerFraction)
                                            "Contact/Rebuild fraction=0.5"}),
                                MPI_COMM_WORLD);
       run(simulation, []() {});
-      builds[i] = simulation.spatial_problem().n_builds();
+      builds[i] = simulation.counts().contact_mappings;
     }
   EXPECT_GT(builds[0], builds[1]);
 }
@@ -199,7 +199,7 @@ TEST(LargeSliding, ContactGainedDoesNotHoldUpTheSteps)
         }
       time = simulation.state().time;
     }
-  EXPECT_GE(simulation.spatial_problem().n_builds(), 10u);
+  EXPECT_GE(simulation.counts().contact_mappings, 10u);
   EXPECT_LT(n_steps, 500u);
   double area = 0;
   for (const double weight : simulation.fault_nodes().weights())

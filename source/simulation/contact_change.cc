@@ -14,12 +14,12 @@ namespace StickSlip
     void
     change_contact(NodalVector                     &velocity,
                    std::vector<Tensor<1, dim - 1>> &slip_rate,
-                   const SpatialProblem<dim>       &problem,
+                   const ContactSpace<dim>         &space,
                    const FaultNodes<dim>           &before,
                    const FaultNodes<dim>           &now)
     {
-      NodalVector w = problem.make_vector();
-      problem.to_jumps(w, velocity);
+      NodalVector w = space.make_vector();
+      space.to_jumps(w, velocity);
       for (const unsigned int k : now.owned_contact())
         {
           w.local_element(now.node(k) * dim + dim - 1) = 0.;
@@ -27,7 +27,7 @@ namespace StickSlip
             for (unsigned int d = 0; d < dim - 1; ++d)
               w.local_element(now.node(k) * dim + d) = slip_rate[k][d];
         }
-      problem.to_nodal(velocity, w);
+      space.to_nodal(velocity, w);
       slip_rate = now.tangential_jumps(w);
     }
   } // namespace
@@ -54,15 +54,15 @@ namespace StickSlip
 
   template <int dim>
   void
-  change_contact(SystemState<dim>          &state,
-                 const SpatialProblem<dim> &problem,
-                 const FaultNodes<dim>     &before,
-                 const FaultNodes<dim>     &now)
+  change_contact(SystemState<dim>        &state,
+                 const ContactSpace<dim> &space,
+                 const FaultNodes<dim>   &before,
+                 const FaultNodes<dim>   &now)
   {
-    change_contact(state.velocity, state.slip_rate, problem, before, now);
+    change_contact(state.velocity, state.slip_rate, space, before, now);
     if (state.mean_velocity.size() > 0)
       change_contact(
-        state.mean_velocity, state.mean_slip_rate, problem, before, now);
+        state.mean_velocity, state.mean_slip_rate, space, before, now);
     // Tractions of nodes off contact mean nothing any more.
     for (unsigned int k = 0; k < state.balancing_traction.size(); ++k)
       if (!now.in_contact(k))
@@ -77,7 +77,7 @@ namespace StickSlip
                               const std::vector<Tensor<1, dim - 1>> &, \
                               const double);                           \
   template void change_contact<dim>(SystemState<dim> &,                \
-                                    const SpatialProblem<dim> &,       \
+                                    const ContactSpace<dim> &,         \
                                     const FaultNodes<dim> &,           \
                                     const FaultNodes<dim> &);
 

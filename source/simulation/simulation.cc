@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
-
-#include <stickslip/base/agreement.h>
-#include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/output/interrupt.h>
 #include <stickslip/scene/members_of.h>
-#include <stickslip/scene/scene_checks.h>
+#include <stickslip/simulation/checked_scene.h>
 #include <stickslip/simulation/contact_change.h>
-#include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
@@ -17,50 +12,17 @@
 #include <stickslip/simulation/run_ending.h>
 #include <stickslip/simulation/run_state_file.h>
 #include <stickslip/simulation/simulation.h>
-#include <stickslip/simulation/space_summary.h>
-#include <stickslip/simulation/step_summary.h>
-#include <stickslip/version.h>
+#include <stickslip/simulation/simulation_summary.h>
 
 #include <algorithm>
 #include <iostream>
 
 namespace StickSlip
 {
-  namespace
-  {
-    /** The materials of the bodies, once they are known to make sense on the
-     * finest meshes. */
-    template <int dim>
-    std::vector<MaterialFields>
-    checked_materials(const SceneParameters<dim> &scene,
-                      const MeshHierarchy<dim>   &meshes,
-                      const MPI_Comm             &communicator)
-    {
-      const std::vector<MaterialFields> materials =
-        members_of(scene.bodies, &BodyParameters<dim>::material);
-      carry_out_agreed(communicator,
-                       [&]() { check_materials(meshes.finest(), materials); });
-      return materials;
-    }
-
-
-
-    /** The scene itself, if it runs on that many processes. */
-    template <int dim>
-    const SceneParameters<dim> &
-    checked(const SceneParameters<dim> &scene, const MPI_Comm &communicator)
-    {
-      check_process_count(scene, Utilities::MPI::n_mpi_processes(communicator));
-      return scene;
-    }
-  } // namespace
-
-
-
   template <int dim>
   Simulation<dim>::Simulation(const SceneParameters<dim> &scene,
                               const MPI_Comm             &communicator)
-    : scene(checked(scene, communicator))
+    : scene(checked_scene(scene, communicator))
     , communicator(communicator)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , mesh_hierarchy(members_of(scene.bodies, &BodyParameters<dim>::geometry),
@@ -313,37 +275,15 @@ namespace StickSlip
   void
   Simulation<dim>::finish(const std::string &ending)
   {
-    record->finish(state(), summarise(ending));
-  }
-
-
-
-  template <int dim>
-  RunSummary
-  Simulation<dim>::summarise(const std::string &ending) const
-  {
-    RunSummary                     summary;
-    const std::vector<std::string> body_names = names_of(scene.bodies);
-    summary.add("Run", "program", std::string("stickslip ") + version);
-    summary.add("Run", "ending", ending);
-    summary.add("Run", "simulated time", state().time, "s");
-    summary.add_count("Run",
-                      "processes",
-                      Utilities::MPI::n_mpi_processes(communicator));
-    summarise_meshes(summary, mesh_hierarchy, body_names);
-    if (problem.is_coupled())
-      summarise_problem(summary, problem, body_names, names_of(scene.faults));
-    summarise_steps(summary, run_state, scene.time.control);
-    if (energy && problem.is_coupled())
-      summarise_energy(summary, *energy, state(), scene.time.inertia);
-    summarise_resources(summary,
-                        timer,
-                        construction_timer.last_wall_time(),
-                        problem.is_coupled() ?
-                          problem.hierarchy().memory_consumption() :
-                          0.,
-                        communicator);
-    return summary;
+    record->finish(state(),
+                   summarise_simulation(ending,
+                                        scene,
+                                        problem,
+                                        run_state,
+                                        energy.get(),
+                                        timer,
+                                        construction_timer.last_wall_time(),
+                                        communicator));
   }
 
 

@@ -18,7 +18,7 @@ namespace StickSlip
     /** Nodal displacement, m. */
     NodalVector displacement;
 
-    /** At each slave node, Pa, see contact_pressures(). */
+    /** Contact pressure at each slave node, Pa, see contact_pressures(). */
     std::vector<double> contact_pressure;
 
     /** Shear traction at each slave node that keeps the fault stuck, slave
@@ -29,8 +29,8 @@ namespace StickSlip
   };
 
   /**
-   * Solve for it by CG with a V-cycle. Prescribed velocities count as zero
-   * displacements. Throws if the iteration does not converge.
+   * Solve for the equilibrium by CG with a V-cycle. Prescribed velocities count
+   * as zero displacements. Throws AgreedFailure if that does not converge.
    */
   template <int dim>
   InitialEquilibrium<dim>

@@ -12,7 +12,7 @@
 namespace StickSlip
 {
   /**
-   * Below this slip rate, m/s, the friction law does not tell the traction:
+   * Slip rate, m/s, below which the friction law does not tell the traction:
    * numbers end at 1e-308, and with a small direct effect a the slip rate of a
    * stuck node, exp(-mu/a), lies far below.
    */

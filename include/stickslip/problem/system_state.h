@@ -22,18 +22,18 @@ namespace StickSlip
   template <int dim>
   struct SystemState
   {
-    /** s */
+    /** Time, s. */
     double time = 0;
 
-    /** m, m/s, m/s^2; the last one empty without inertia. */
+    /** Nodal values, m, m/s, m/s^2; the last empty without inertia. */
     NodalVector displacement, velocity, acceleration;
 
-    /** Without inertia: size of the step that has led here, s, and over it the
-     * mean of the velocity, m/s. Zero and empty at the start. */
+    /** Size of the step that has led here, s, and mean of the velocity over it,
+     * m/s: without inertia. Zero and empty at the start. */
     double      last_step = 0;
     NodalVector mean_velocity;
 
-    /** ln(theta / 1 s) */
+    /** Logarithm of the state, ln(theta / 1 s). */
     std::vector<double> alpha;
 
     /** Accumulated slip, m, and slip rate, m/s. */
@@ -111,7 +111,7 @@ namespace StickSlip
     /** True if the state may be used. */
     bool converged = false;
 
-    /** Reason why not, otherwise. */
+    /** Reason of a failure; empty if there is none. */
     std::string failure;
 
     double           step_size = 0;

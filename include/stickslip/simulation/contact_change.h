@@ -5,7 +5,7 @@
 #define stickslip_simulation_contact_change_h
 
 #include <stickslip/faults/fault_nodes.h>
-#include <stickslip/problem/spatial_problem.h>
+#include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
 
 namespace StickSlip
@@ -22,17 +22,17 @@ namespace StickSlip
            const double                           fraction);
 
   /**
-   * Carry a state over to a new contact mapping, that of @p problem and
+   * Carry a state over to a new contact mapping, that of @p space and
    * @p now. Slip rates belong to the nodes of the fault and stay; the velocity
    * of the slave side follows from them and from the new partners. Nodes that
    * come into contact get the jump of the velocities as they are. Collective.
    */
   template <int dim>
   void
-  change_contact(SystemState<dim>          &state,
-                 const SpatialProblem<dim> &problem,
-                 const FaultNodes<dim>     &before,
-                 const FaultNodes<dim>     &now);
+  change_contact(SystemState<dim>        &state,
+                 const ContactSpace<dim> &space,
+                 const FaultNodes<dim>   &before,
+                 const FaultNodes<dim>   &now);
 } // namespace StickSlip
 
 #endif

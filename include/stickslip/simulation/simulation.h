@@ -71,6 +71,13 @@ namespace StickSlip
       return run_state.system;
     }
 
+    /** Steps, work and contact mappings up to now. */
+    const RunCounts &
+    counts() const
+    {
+      return run_state.counts;
+    }
+
     const MeshHierarchy<dim> &
     meshes() const
     {
@@ -131,9 +138,6 @@ namespace StickSlip
     /** Complete the files of a run that has ended. */
     void
     finish(const std::string &ending);
-
-    RunSummary
-    summarise(const std::string &ending) const;
 
     const SceneParameters<dim> scene;
     const MPI_Comm             communicator;

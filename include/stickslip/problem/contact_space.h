@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_problem_contact_space_h
+#define stickslip_problem_contact_space_h
+
+#include <stickslip/faults/prescribed_slip.h>
+#include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/mechanics/material_fields.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/mortar/jump_basis.h>
+#include <stickslip/multigrid/level_description.h>
+
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The space of displacements of bodies in contact: on each level l a jump
+   * basis B_l that belongs to the current contact mapping,
+   *
+   *   u_l = B_l w_l,
+   *
+   * the transfers B_l^-1 P B_(l-1) between them, components that take no part,
+   * and jumps that are known. Nodal vectors u and vectors w of the jump basis
+   * have the same owned entries, and different ghosts; those of the jump basis
+   * change with the contact mapping.
+   */
+  template <int dim>
+  class ContactSpace
+  {
+  public:
+    /** @p materials in the order of the bodies; @p slip_rates: known slip
+     * rates, one entry a fault, or none at all. There are no bases yet. */
+    ContactSpace(const MeshHierarchy<dim>          &meshes,
+                 const std::vector<MaterialFields> &materials,
+                 const BoundaryValues<dim>         &boundary_values,
+                 const std::vector<SlipRates<dim>> &slip_rates);
+
+    const MeshHierarchy<dim> &
+    meshes() const;
+
+    /** The jump basis of the finest level. */
+    const JumpBasis<dim> &
+    jump_basis() const;
+
+    /** w = B^-1 u. Collective. */
+    void
+    to_jumps(NodalVector &w, const NodalVector &u) const;
+
+    /** u = B w. Collective. */
+    void
+    to_nodal(NodalVector &u, const NodalVector &w) const;
+
+    /** B^T f of nodal forces: a dual vector of the jump basis. Collective. */
+    NodalVector
+    to_dual(const NodalVector &f) const;
+
+    /** Set what is known of a vector of the jump basis, m/s: zero normal jumps,
+     * and the slip rates that are prescribed at @p time. */
+    void
+    set_known_jumps(const double time, NodalVector &w) const;
+
+    /** The length of the longest ramp of known slip rates, s; zero if there are
+     * none. */
+    double
+    longest_slip_ramp() const;
+
+    /** A zero vector of the jump basis. */
+    NodalVector
+    make_vector() const;
+
+    /** A zero vector of nodal values. */
+    NodalVector
+    make_nodal_vector() const;
+
+  protected:
+    /** Jump bases of all levels for the faults as they are after a
+     * displacement, m. Throws AgreedFailure if the sides of a fault do not
+     * touch any more. Collective. */
+    std::vector<JumpBasis<dim>>
+    make_bases(const NodalVector &displacement) const;
+
+    /** Put these bases in the place of those before. @p sparsity: of nodal
+     * matrices. Collective. */
+    void
+    set_bases(std::vector<JumpBasis<dim>> bases, const BlockSparsity &sparsity);
+
+    /** Unknowns of all levels and the transfers between them. */
+    const std::vector<LevelDescription<dim>> &
+    descriptions() const;
+
+    /** The product B^T A B of a nodal matrix. */
+    GalerkinProduct<dim> &
+    jump_product();
+
+  private:
+    /** Set masks and nonsmooth nodes of all levels. */
+    void
+    describe(std::vector<LevelDescription<dim>> &levels,
+             const std::vector<JumpBasis<dim>>  &bases) const;
+
+    const MeshHierarchy<dim> &mesh_hierarchy;
+    std::vector<FaultSides>   sides;
+    std::vector<NodeMask>     dirichlet_masks;
+    /** Null where friction acts on all faults. */
+    std::unique_ptr<PrescribedSlip<dim>> prescribed_slip;
+
+    std::unique_ptr<JumpBasis<dim>>       finest_basis;
+    std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
+    TransferMatrix                        B_inverse;
+    std::vector<LevelDescription<dim>>    levels;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_problem_equation_of_motion_h
+#define stickslip_problem_equation_of_motion_h
+
+#include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/mechanics/material_fields.h>
+#include <stickslip/multigrid/level_hierarchy.h>
+#include <stickslip/problem/contact_space.h>
+
+#include <memory>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * The equation of motion of all bodies,
+   *
+   *   B^T (M B w_tt + C B w_t + K B w) + friction = B^T f,
+   *
+   * in the jump basis B of a contact space: mass, damping and stiffness, the
+   * load f of gravity and tractions, boundary values, and the level hierarchy
+   * of a combination of the terms. M is there only if inertia is asked for, C
+   * only if a body is viscous.
+   */
+  template <int dim>
+  class EquationOfMotion
+  {
+  public:
+    /** Terms of the equation, in this order. */
+    enum Term : unsigned int
+    {
+      mass      = 0,
+      damping   = 1,
+      stiffness = 2
+    };
+
+    /** Assembles the terms in the nodal basis. @p space must outlive this
+     * object; @p materials in the order of the bodies; @p gravity: its
+     * acceleration, m/s^2. Without inertia M is never assembled. */
+    EquationOfMotion(const ContactSpace<dim>           &space,
+                     const std::vector<MaterialFields> &materials,
+                     BoundaryValues<dim>               &boundary_values,
+                     const Tensor<1, dim>              &gravity,
+                     const bool                         with_inertia);
+
+    /** True if the equation has this term. */
+    bool
+    has(const Term term) const;
+
+    /** A term that it has, on the finest level in the jump basis. */
+    const BlockMatrix<dim> &
+    term(const Term term) const;
+
+    /** Set the operator to a combination of M, C and K; what the equation does
+     * not have is left out. Collective. */
+    void
+    combine(const std::vector<double> &coefficients);
+
+    /** True if there are levels: not after an attempt to make them that has
+     * failed. */
+    bool
+    is_coupled() const;
+
+    /** The operator on the finest level, and its terms. */
+    OperatorSum<dim> &
+    operators();
+
+    const OperatorSum<dim> &
+    operators() const;
+
+    /** The preconditioner. */
+    LevelHierarchy<dim> &
+    hierarchy();
+
+    const LevelHierarchy<dim> &
+    hierarchy() const;
+
+    /** The load at @p time as a dual vector of the jump basis. Collective. */
+    NodalVector
+    load(const double time);
+
+    BoundaryValues<dim> &
+    boundary_values();
+
+    /** The length of the longest ramp of boundary values and slip rates, s. */
+    double
+    longest_ramp() const;
+
+  protected:
+    /** Sparsity of the terms in the nodal basis. */
+    const BlockSparsity &
+    nodal_sparsity() const;
+
+    /** Remove operator and levels. */
+    void
+    clear_operator();
+
+    /** Make operator and levels; @p product: to the jump basis, @p
+     * descriptions: of the levels of the contact space. Collective. */
+    void
+    make_operator(GalerkinProduct<dim>              &product,
+                  std::vector<LevelDescription<dim>> descriptions);
+
+  private:
+    const ContactSpace<dim> &space;
+    BoundaryValues<dim>     &boundary;
+    /** Terms in the nodal basis, and their names in the same order. */
+    std::vector<BlockMatrix<dim>> nodal_terms;
+    std::vector<Term>             terms;
+    /** Empty without gravity. */
+    NodalVector gravity_load;
+
+    std::unique_ptr<OperatorSum<dim>>    operator_sum;
+    std::unique_ptr<LevelHierarchy<dim>> levels;
+  };
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_simulation_summary_h
+#define stickslip_simulation_simulation_summary_h
+
+#include <deal.II/base/timer.h>
+
+#include <stickslip/output/run_summary.h>
+#include <stickslip/problem/spatial_problem.h>
+#include <stickslip/scene/scene_parameters.h>
+#include <stickslip/simulation/run_state.h>
+#include <stickslip/time/energy_balance.h>
+
+namespace StickSlip
+{
+  /**
+   * The whole summary of a run: its ending, meshes, unknowns and faults, steps,
+   * energies, wall times and memory. Unknowns, faults and energies are left out
+   * if the faults are not coupled. @p energy: null where the scene asks for
+   * none; @p construction: time for meshes and matrices, s. Collective.
+   */
+  template <int dim>
+  RunSummary
+  summarise_simulation(const std::string          &ending,
+                       const SceneParameters<dim> &scene,
+                       const SpatialProblem<dim>  &problem,
+                       const RunState<dim>        &state,
+                       const EnergyBalance<dim>   *energy,
+                       const TimerOutput          &timer,
+                       const double                construction,
+                       const MPI_Comm              communicator);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/problem/contact_components.h>
+#include <stickslip/problem/contact_space.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** The shear modulus of a body on one of its sides, Pa: the mean over the
+     * nodes there, if it varies. One for a rigid body, where nobody asks. */
+    template <int dim>
+    double
+    shear_modulus(const BodyMesh<dim>     &body,
+                  const types::boundary_id side,
+                  const MaterialFields    &material)
+    {
+      if (body.is_rigid())
+        return 1.;
+      if (material.are_constant())
+        return material.constants().shear_modulus();
+      const auto function = material.function<dim>();
+      double     sum      = 0;
+      const auto points   = body.surface(side).points;
+      for (const Point<dim> &point : points)
+        sum += function(point).shear_modulus();
+      return sum / points.size();
+    }
+
+
+
+    /** The mean of the shear moduli of the parts of one side of a fault. */
+    template <int dim>
+    double
+    shear_modulus(const MeshLevel<dim>              &level,
+                  const std::vector<BodySide>       &parts,
+                  const std::vector<MaterialFields> &materials)
+    {
+      double sum = 0;
+      for (const BodySide &part : parts)
+        sum += shear_modulus(*level.bodies[part.body],
+                             part.side,
+                             materials[part.body]);
+      return sum / parts.size();
+    }
+
+
+
+    /** The results of @p row for all nodes with a local index. */
+    template <typename Row>
+    std::vector<GlobalRow>
+    local_rows(const NodePartition &nodes, const Row &row)
+    {
+      std::vector<GlobalRow> rows;
+      rows.reserve(nodes.n_local());
+      for (unsigned int i = 0; i < nodes.n_local(); ++i)
+        rows.push_back(row(nodes.global_index(i)));
+      return rows;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactSpace<dim>::ContactSpace(const MeshHierarchy<dim>          &meshes,
+                                  const std::vector<MaterialFields> &materials,
+                                  const BoundaryValues<dim> &boundary_values,
+                                  const std::vector<SlipRates<dim>> &slip_rates)
+    : mesh_hierarchy(meshes)
+  {
+    const MeshLevel<dim>     &finest = meshes.finest();
+    const std::vector<Fault> &faults = meshes.topology().faults();
+    for (unsigned int f = 0; f < faults.size(); ++f)
+      sides.push_back(choose_fault_sides(
+        finest,
+        meshes.topology(),
+        f,
+        shear_modulus(finest, faults[f].sides[1], materials) /
+          shear_modulus(finest, faults[f].sides[0], materials)));
+    for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+      dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
+    if (std::any_of(slip_rates.begin(),
+                    slip_rates.end(),
+                    [](const auto &rates) { return bool(rates); }))
+      prescribed_slip =
+        std::make_unique<PrescribedSlip<dim>>(meshes, sides, slip_rates);
+  }
+
+
+
+  template <int dim>
+  std::vector<JumpBasis<dim>>
+  ContactSpace<dim>::make_bases(const NodalVector &displacement) const
+  {
+    const unsigned int    n_levels = mesh_hierarchy.n_levels();
+    const MeshLevel<dim> &finest   = mesh_hierarchy.finest();
+
+    std::vector<JumpBasis<dim>>         bases;
+    std::vector<FaultDisplacement<dim>> displacements =
+      gather_fault_displacements(finest, sides, displacement);
+    for (unsigned int l = n_levels; l-- > 0;)
+      {
+        const MeshLevel<dim> &level = mesh_hierarchy.level(l);
+        if (l + 1 < n_levels)
+          displacements = inject(level,
+                                 mesh_hierarchy.level(l + 1),
+                                 mesh_hierarchy.prolongation(l + 1),
+                                 sides,
+                                 displacements);
+        bases.emplace_back(level, sides, displacements, dirichlet_masks[l]);
+      }
+    std::reverse(bases.begin(), bases.end());
+    for (unsigned int i = 0; i < bases.back().faults().size(); ++i)
+      if (!(bases.back().faults()[i].coupling.covered_area > 0.))
+        throw AgreedFailure("The two sides of the fault '" +
+                            mesh_hierarchy.topology().faults()[i].name +
+                            "' do not touch.");
+    return bases;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSpace<dim>::set_bases(std::vector<JumpBasis<dim>> bases,
+                               const BlockSparsity        &sparsity)
+  {
+    const unsigned int    n_levels = mesh_hierarchy.n_levels();
+    const MeshLevel<dim> &finest   = mesh_hierarchy.finest();
+
+    // Memory of the old transfers is needed for the new ones.
+    levels.clear();
+
+    // From the nodal basis to jumps, and from there down the levels. Each
+    // product tells the ghosts and the sparsity on its coarse side.
+    to_jump_basis = std::make_unique<GalerkinProduct<dim>>(
+      finest.nodes,
+      sparsity,
+      local_rows(finest.nodes,
+                 [&](const types::global_dof_index node) {
+                   return bases.back().to_nodal(node);
+                 }),
+      finest.nodes.owned());
+    std::vector<LevelDescription<dim>> descriptions(n_levels);
+    descriptions.back().nodes          = to_jump_basis->coarse_nodes();
+    const BlockSparsity *fine_sparsity = to_jump_basis->coarse_sparsity().get();
+    for (unsigned int l = n_levels - 1; l > 0; --l)
+      {
+        LevelDescription<dim> &fine = descriptions[l];
+        fine.to_coarser             = std::make_shared<GalerkinProduct<dim>>(
+          fine.nodes,
+          *fine_sparsity,
+          local_rows(fine.nodes,
+                     [&](const types::global_dof_index node) {
+                       return jump_prolongation(bases[l - 1],
+                                                bases[l],
+                                                mesh_hierarchy.prolongation(l),
+                                                node);
+                     }),
+          mesh_hierarchy.level(l - 1).nodes.owned());
+        descriptions[l - 1].nodes = fine.to_coarser->coarse_nodes();
+        fine_sparsity             = fine.to_coarser->coarse_sparsity().get();
+      }
+    describe(descriptions, bases);
+
+    std::vector<GlobalRow> inverse_rows;
+    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
+      inverse_rows.push_back(
+        bases.back().to_jumps(finest.nodes.global_index(i)));
+    B_inverse =
+      TransferMatrix(inverse_rows, finest.nodes, to_jump_basis->coarse_nodes());
+    levels       = std::move(descriptions);
+    finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSpace<dim>::describe(std::vector<LevelDescription<dim>> &levels,
+                              const std::vector<JumpBasis<dim>>  &bases) const
+  {
+    const std::vector<types::global_dof_index> no_nodes;
+    for (unsigned int l = 0; l < levels.size(); ++l)
+      {
+        LevelDescription<dim> &level = levels[l];
+        level.nonsmooth_nodes = bases[l].owned_contact_nodes(level.nodes);
+        level.fixed =
+          fixed_components(mesh_hierarchy.level(l),
+                           dirichlet_masks[l],
+                           bases[l],
+                           prescribed_slip ? prescribed_slip->nodes(l) :
+                                             no_nodes)
+            .local_part(level.nodes);
+      }
+  }
+
+
+
+  template <int dim>
+  const std::vector<LevelDescription<dim>> &
+  ContactSpace<dim>::descriptions() const
+  {
+    return levels;
+  }
+
+
+
+  template <int dim>
+  GalerkinProduct<dim> &
+  ContactSpace<dim>::jump_product()
+  {
+    return *to_jump_basis;
+  }
+
+
+
+  template <int dim>
+  const MeshHierarchy<dim> &
+  ContactSpace<dim>::meshes() const
+  {
+    return mesh_hierarchy;
+  }
+
+
+
+  template <int dim>
+  const JumpBasis<dim> &
+  ContactSpace<dim>::jump_basis() const
+  {
+    return *finest_basis;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSpace<dim>::to_jumps(NodalVector &w, const NodalVector &u) const
+  {
+    // Values with the ghosts of the jump basis.
+    NodalVector values = make_vector();
+    std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
+    B_inverse.prolongate(w, values, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSpace<dim>::to_nodal(NodalVector &u, const NodalVector &w) const
+  {
+    to_jump_basis->prolongation().prolongate(u, w, dim);
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  ContactSpace<dim>::to_dual(const NodalVector &f) const
+  {
+    NodalVector dual = make_vector();
+    to_jump_basis->prolongation().restrict_to(dual, f, dim);
+    return dual;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSpace<dim>::set_known_jumps(const double time, NodalVector &w) const
+  {
+    const LevelDescription<dim> &finest = levels.back();
+    for (const unsigned int p : finest.nonsmooth_nodes)
+      w.local_element(p * dim + FaultAxes<dim>::normal_component) = 0.;
+    if (prescribed_slip)
+      prescribed_slip->set_slip_rates(time, *finest_basis, finest.nodes, w);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSpace<dim>::longest_slip_ramp() const
+  {
+    return prescribed_slip ? prescribed_slip->longest_ramp() : 0.;
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  ContactSpace<dim>::make_vector() const
+  {
+    return levels.back().nodes.make_vector();
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  ContactSpace<dim>::make_nodal_vector() const
+  {
+    return mesh_hierarchy.finest().nodes.make_vector();
+  }
+
+
+
+  template class ContactSpace<2>;
+  template class ContactSpace<3>;
+} // namespace StickSlip

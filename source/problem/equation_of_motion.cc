@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/mechanics/elastic_assembly.h>
+#include <stickslip/problem/equation_of_motion.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  template <int dim>
+  EquationOfMotion<dim>::EquationOfMotion(
+    const ContactSpace<dim>           &space,
+    const std::vector<MaterialFields> &materials,
+    BoundaryValues<dim>               &boundary_values,
+    const Tensor<1, dim>              &gravity,
+    const bool                         with_inertia)
+    : space(space)
+    , boundary(boundary_values)
+  {
+    const MeshLevel<dim> &finest = space.meshes().finest();
+    ElasticMatrices<dim>  matrices =
+      assemble_elastic_matrices(finest, materials, with_inertia);
+    const auto add = [&](const Term term, BlockMatrix<dim> &matrix) {
+      if (matrix.shared_sparsity() == nullptr)
+        return;
+      terms.push_back(term);
+      nodal_terms.push_back(std::move(matrix));
+    };
+    add(mass, matrices.mass);
+    add(damping, matrices.damping);
+    add(stiffness, matrices.stiffness);
+    if (gravity.norm_square() > 0.)
+      gravity_load = assemble_gravity(finest, materials, gravity);
+  }
+
+
+
+  template <int dim>
+  bool
+  EquationOfMotion<dim>::has(const Term term) const
+  {
+    return std::find(terms.begin(), terms.end(), term) != terms.end();
+  }
+
+
+
+  template <int dim>
+  const BlockMatrix<dim> &
+  EquationOfMotion<dim>::term(const Term term) const
+  {
+    const auto position = std::find(terms.begin(), terms.end(), term);
+    AssertThrow(position != terms.end(),
+                ExcMessage("The equation has no such term."));
+    return operator_sum->terms()[position - terms.begin()];
+  }
+
+
+
+  template <int dim>
+  void
+  EquationOfMotion<dim>::combine(const std::vector<double> &coefficients)
+  {
+    std::vector<double> present;
+    for (const Term term : terms)
+      present.push_back(coefficients[term]);
+    operator_sum->combine(present);
+  }
+
+
+
+  template <int dim>
+  bool
+  EquationOfMotion<dim>::is_coupled() const
+  {
+    return levels != nullptr;
+  }
+
+
+
+  template <int dim>
+  OperatorSum<dim> &
+  EquationOfMotion<dim>::operators()
+  {
+    return *operator_sum;
+  }
+
+
+
+  template <int dim>
+  const OperatorSum<dim> &
+  EquationOfMotion<dim>::operators() const
+  {
+    return *operator_sum;
+  }
+
+
+
+  template <int dim>
+  LevelHierarchy<dim> &
+  EquationOfMotion<dim>::hierarchy()
+  {
+    return *levels;
+  }
+
+
+
+  template <int dim>
+  const LevelHierarchy<dim> &
+  EquationOfMotion<dim>::hierarchy() const
+  {
+    return *levels;
+  }
+
+
+
+  template <int dim>
+  NodalVector
+  EquationOfMotion<dim>::load(const double time)
+  {
+    const bool has_gravity = gravity_load.size() > 0;
+    if (!has_gravity && !boundary.has_tractions())
+      return space.make_vector();
+    NodalVector nodal = has_gravity ? gravity_load : space.make_nodal_vector();
+    boundary.add_tractions(time, nodal);
+    return space.to_dual(nodal);
+  }
+
+
+
+  template <int dim>
+  BoundaryValues<dim> &
+  EquationOfMotion<dim>::boundary_values()
+  {
+    return boundary;
+  }
+
+
+
+  template <int dim>
+  double
+  EquationOfMotion<dim>::longest_ramp() const
+  {
+    return std::max(boundary.longest_ramp(), space.longest_slip_ramp());
+  }
+
+
+
+  template <int dim>
+  const BlockSparsity &
+  EquationOfMotion<dim>::nodal_sparsity() const
+  {
+    return nodal_terms.front().sparsity();
+  }
+
+
+
+  template <int dim>
+  void
+  EquationOfMotion<dim>::clear_operator()
+  {
+    levels.reset();
+    operator_sum.reset();
+  }
+
+
+
+  template <int dim>
+  void
+  EquationOfMotion<dim>::make_operator(
+    GalerkinProduct<dim>              &product,
+    std::vector<LevelDescription<dim>> descriptions)
+  {
+    const NodeMask all(space.meshes().finest().nodes.n_local(), dim);
+    std::vector<BlockMatrix<dim>> jump_terms;
+    for (const BlockMatrix<dim> &term : nodal_terms)
+      {
+        jump_terms.emplace_back(product.coarse_sparsity());
+        product.compute(term, all, jump_terms.back());
+      }
+    operator_sum = std::make_unique<OperatorSum<dim>>(descriptions.back(),
+                                                      std::move(jump_terms));
+    levels       = std::make_unique<LevelHierarchy<dim>>(*operator_sum,
+                                                   std::move(descriptions));
+  }
+
+
+
+  template class EquationOfMotion<2>;
+  template class EquationOfMotion<3>;
+} // namespace StickSlip
