@@ -130,8 +130,10 @@ TEST(ProgramParallel, InputThatOneProcessLacksEndsAll)
   // As on a machine that does not see the folder.
   const Outcome outcome =
     run_command(folder,
-                parallel_program(1) + " scene.prm : -np 2 '" +
-                  STICKSLIP_BINARY_DIR "/stickslip' elsewhere.prm");
+                program(time_limit + launcher + "3 sh -c '" +
+                        "[ $OMPI_COMM_WORLD_RANK = 0 ] && "
+                        "exec \"$0\" scene.prm || "
+                        "exec \"$0\" elsewhere.prm'"));
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(
     outcome.errors,
@@ -210,13 +212,14 @@ TEST(ProgramParallel, InterruptLeavesCompleteFiles)
 {
   const TemporaryFolder folder;
   folder.write("scene.prm", scene);
-  // The launcher passes the signal on.
+  // The launcher passes the signal on, but not always what is printed after it.
   const Outcome outcome =
     run_and_interrupt(folder,
                       parallel_program(2) +
                         " scene.prm --set 'Time/End time=99999' "
                         "--set 'Contact/Follow slip=false'");
-  EXPECT_NE(outcome.output.find("Run interrupted by the user, t = "),
+  EXPECT_NE(content_of(folder.file("output/scene/summary.txt"))
+              .find("interrupted by the user, t = "),
             std::string::npos)
     << outcome.errors;
   EXPECT_EQ(problems_of_output(folder, "output/scene"), "");

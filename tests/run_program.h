@@ -23,14 +23,16 @@ namespace StickSlip::Tests
 
   /** The program with none of this process's environment, which would make it
    * part of the same MPI job, by itself or by a launcher like mpirun. To be
-   * used in a shell. */
+   * used in a shell. Processes of one machine talk through its memory, also
+   * where it has no network, and have time to end after a signal. */
   inline std::string
   program(const std::string &launcher = "")
   {
     const std::string path = STICKSLIP_BINARY_DIR "/stickslip";
     EXPECT_TRUE(std::filesystem::exists(path)) << path;
     return "env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
-           "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " +
+           "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl=^tcp "
+           "PRTE_MCA_odls_base_sigkill_timeout=30 " +
            launcher + " '" + path + "'";
   }
 
