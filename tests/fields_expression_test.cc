@@ -19,7 +19,7 @@ namespace
 
 
 
-  /** What is said of an expression that cannot be read. */
+  /** Message about an expression that cannot be read. */
   std::string
   mistake(const std::string &text)
   {

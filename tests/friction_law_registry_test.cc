@@ -43,7 +43,7 @@ namespace
 
 
 
-  /** What a registry of some kinds complains of. */
+  /** Complaint of a registry of some kinds. */
   std::string
   mistake(const std::vector<LawKind> &kinds)
   {

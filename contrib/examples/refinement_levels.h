@@ -25,7 +25,7 @@ namespace StickSlip::Examples
 {
   using namespace dealii;
 
-  /** The same matrix in blocks of n_components rows and columns. */
+  /** Copy of a matrix in blocks of n_components rows and columns. */
   template <int n_components>
   BlockMatrix<n_components>
   make_block_matrix(const SparseMatrix<double> &matrix)
