@@ -134,7 +134,7 @@ public:
            const std::array<bool, 2> &active,
            const Tensor<1, 2>        &start) const override
   {
-    AssertThrow(!active[1], ExcNotImplemented());
+    AssertThrow(!active[1], ExcMessage("Nodes on the plate are held along y."));
     Tensor<1, 2> v = start;
     if (active[0])
       v[0] =
