@@ -27,7 +27,7 @@ namespace
         const std::vector<std::string> &more,
         FaultNodes<2>                  *faults = nullptr)
   {
-    std::vector<std::string> overrides = {
+    const std::vector<std::string> overrides = {
       "Time/Step size control=constant",
       "Time/Largest step=" + std::to_string(tau),
       "Time/End time=1",
@@ -35,8 +35,7 @@ namespace
       "Boundary conditions/upper top/Ramp length=0",
       "Time/Rate-state tolerance=1e-11",
       "TNNMG/Tolerance=1e-11"};
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    SteppingScene scene(creeping_bodies, overrides);
+    SteppingScene scene(creeping_bodies, overrides + more);
     scene.advance_until(0.9999999);
     Solution solution;
     solution.alpha = scene.state.alpha;

@@ -54,15 +54,6 @@ namespace
     "Faults/fault/Reference slip rate=1e-3*exp(0.5*x)",
     "Faults/fault/Characteristic slip=1e-3*(1.2 + x)"};
 
-
-
-  std::vector<std::string>
-  varying_and(const std::vector<std::string> &more)
-  {
-    std::vector<std::string> overrides = varying_friction;
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return overrides;
-  }
 } // namespace
 
 
@@ -182,17 +173,17 @@ TEST(FrictionFields, CondensedNewtonAndTNNMGAgree)
       SCOPED_TRACE(regularisation);
       // Both take the same steps: short ones, since below Vmin, where the
       // truncated law has no friction, TNNMG takes many iterations.
-      const std::vector<std::string> common = varying_and(
-        {"Faults/fault/Regularisation=" + regularisation,
-         "TNNMG/Tolerance=1e-12",
-         "Time/Rate-state tolerance=1e-12",
-         "Faults/fault/Reference friction coefficient=0.1 + 0.005*x",
-         "Time/Step size control=constant",
-         "Time/Largest step=5e-4"});
-      std::vector<std::string> condensed = common;
-      condensed.push_back("Time/Rate solver=condensed Newton");
+      const std::vector<std::string> common =
+        varying_friction +
+        Settings{"Faults/fault/Regularisation=" + regularisation,
+                 "TNNMG/Tolerance=1e-12",
+                 "Time/Rate-state tolerance=1e-12",
+                 "Faults/fault/Reference friction coefficient=0.1 + 0.005*x",
+                 "Time/Step size control=constant",
+                 "Time/Largest step=5e-4"};
       const SystemState<2> one = end_of_run(common);
-      const SystemState<2> two = end_of_run(condensed);
+      const SystemState<2> two =
+        end_of_run(common + Settings{"Time/Rate solver=condensed Newton"});
       EXPECT_EQ(one.time, two.time);
       double largest = 0;
       for (const auto &V : one.slip_rate)
@@ -212,12 +203,12 @@ TEST(FrictionFields, CondensedNewtonAndTNNMGAgree)
 // and a step doubled or embedded leads to the same.
 TEST(FrictionFields, StepDoublingAndTheEmbeddedControlAgree)
 {
-  const SystemState<2> embedded =
-    end_of_run(varying_and({"Time/Tolerance=1e-7", "Time/End time=0.3"}));
-  const SystemState<2> doubling =
-    end_of_run(varying_and({"Time/Step size control=step doubling",
-                            "Time/Doubling threshold=1e-7",
-                            "Time/End time=0.3"}));
+  const SystemState<2> embedded = end_of_run(
+    varying_friction + Settings{"Time/Tolerance=1e-7", "Time/End time=0.3"});
+  const SystemState<2> doubling = end_of_run(
+    varying_friction + Settings{"Time/Step size control=step doubling",
+                                "Time/Doubling threshold=1e-7",
+                                "Time/End time=0.3"});
   EXPECT_NEAR(embedded.time, 0.3, 1e-12);
   EXPECT_NEAR(doubling.time, 0.3, 1e-12);
   double largest = 0;

@@ -27,6 +27,9 @@ namespace
             std::make_shared<RateAndStateLaw>(strong, Regularisation::arcsinh)};
   }
 
+  const std::vector<double> weights{0.1, 0.2, 0.1, 0.05, 0.3, 1.};
+  const std::vector<double> normal_stresses{5e4, 4e4, 1e3, 0., 1e6, 3e4};
+
   /**
    * Six nodes of two faults with different laws, theta over sixteen decades.
    */
@@ -35,8 +38,8 @@ namespace
   example()
   {
     FaultFriction<dim> friction({2, 3, 7, 8, 11, 20},
-                                {0.1, 0.2, 0.1, 0.05, 0.3, 1.},
-                                {5e4, 4e4, 1e3, 0., 1e6, 3e4},
+                                weights,
+                                normal_stresses,
                                 two_laws(),
                                 {0, 1, 1, 0, 0, 1});
     friction.set_state({-18., 0., 18., 1., 4., -3.});
@@ -301,8 +304,7 @@ TYPED_TEST(FaultFrictionTest, MinimiserAgreesWithHighPrecisionForAnyMask)
           Reference::Vector<dim> exact;
           for (unsigned int c = 0; c < dim; ++c)
             exact[c] = v[c];
-          const Real load =
-            Real(friction.get_weights()[k] * friction.get_normal_stresses()[k]);
+          const Real load = Real(weights[k] * normal_stresses[k]);
           ASSERT_LT(Reference::polish<dim>(law.get_regularisation(),
                                            A,
                                            r,
@@ -369,7 +371,7 @@ TYPED_TEST(FaultFrictionTest, DampingIsAMatrixMore)
       {
         Tensor<2, dim> D, A;
         for (unsigned int c = 0; c < dim - 1; ++c)
-          D[c][c] = plain.get_weights()[k] * damping[k];
+          D[c][c] = weights[k] * damping[k];
         for (unsigned int a = 0; a < dim; ++a)
           for (unsigned int b = 0; b <= a; ++b)
             A[a][b] = A[b][a] = a == b ? 1e6 : 1e5 * std::tanh(normal(engine));

@@ -78,7 +78,7 @@ TEST_P(RateAndState, LogMinimalSlipRateMeansZeroFriction)
   // mu0 + a ln(V/V0) + b ln(V0 theta/L) vanishes at Vmin.
   for (const double alpha : {-700., -20., 0., 3., 700.})
     {
-      const Real log_V = law.log_minimal_slip_rate(alpha);
+      const Real log_V = law.node_data(alpha);
       const Real log_v0(log(Real(parameters.reference_slip_rate)));
       const Real log_l(log(Real(parameters.characteristic_slip)));
       const Real mu = parameters.reference_friction +

@@ -20,8 +20,8 @@ namespace
 {
   constexpr double L = 2e-5;
 
-  const AgingLaw                      aging;
-  const SlipLaw                       slip;
+  const StateLaw                     &aging = *state_laws()[0].law;
+  const StateLaw                     &slip  = *state_laws()[1].law;
   const std::vector<const StateLaw *> laws{&aging, &slip};
 
   /**

@@ -25,15 +25,6 @@ namespace
 
 
 
-  std::vector<std::string>
-  joined(std::vector<std::string> a, const std::vector<std::string> &b)
-  {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  }
-
-
-
   double
   largest_difference(const NodalVector &a, const NodalVector &b)
   {
@@ -53,16 +44,16 @@ namespace
   {
     SteppingScene scene(
       creeping_bodies,
-      joined({"Time/Inertia=" + inertia,
-              "Time/Step size control=constant",
-              "Time/Largest step=" + std::to_string(tau),
-              "Time/End time=0.5",
-              "Time/Rate-state tolerance=1e-12",
-              "TNNMG/Tolerance=1e-12",
-              "Boundary conditions/upper top/x value=4e-3*t^4",
-              "Boundary conditions/upper top/Ramp length=0",
-              "Output/Event start slip rate=1"},
-             more));
+      Settings{"Time/Inertia=" + inertia,
+               "Time/Step size control=constant",
+               "Time/Largest step=" + std::to_string(tau),
+               "Time/End time=0.5",
+               "Time/Rate-state tolerance=1e-12",
+               "TNNMG/Tolerance=1e-12",
+               "Boundary conditions/upper top/x value=4e-3*t^4",
+               "Boundary conditions/upper top/Ramp length=0",
+               "Output/Event start slip rate=1"} +
+        more);
     scene.advance_until(0.5 - 1e-9);
     EXPECT_NEAR(scene.state.time, 0.5, 1e-9);
     return scene.state;
@@ -156,10 +147,10 @@ TEST(Inertia, OnlyTheTermsOfTheSceneAreThere)
     for (const bool is_viscous : {true, false})
       {
         SteppingScene scene(creeping_bodies,
-                            joined({std::string("Time/Inertia=") +
-                                    (is_dynamic ? "dynamic" : "quasi-dynamic")},
-                                   is_viscous ? std::vector<std::string>() :
-                                                inviscid));
+                            Settings{
+                              std::string("Time/Inertia=") +
+                              (is_dynamic ? "dynamic" : "quasi-dynamic")} +
+                              (is_viscous ? Settings() : inviscid));
         Problem      &problem = scene.problem;
         EXPECT_EQ(problem.has(Problem::mass), is_dynamic);
         EXPECT_EQ(problem.has(Problem::damping), is_viscous);
@@ -290,7 +281,7 @@ TEST(Inertia, BodiesHeldByFrictionAlone)
       constexpr unsigned int            n_steps = 1000;
       const std::vector<SystemState<2>> ours    = run_floating(common, n_steps);
       const std::vector<SystemState<2>> exact =
-        run_floating(joined(common, {"Time/Rate solver=condensed Newton"}),
+        run_floating(common + Settings{"Time/Rate solver=condensed Newton"},
                      n_steps);
       ASSERT_EQ(ours.size(), exact.size());
       double largest = 0., error = 0.;

@@ -50,15 +50,15 @@ namespace
              const std::vector<std::string> &more = {})
   {
     EndlessLayers layers;
-    layers.material                    = theory.material;
-    layers.thickness                   = theory.thickness;
-    layers.length                      = length;
-    layers.coarse_cells                = {{{{8, 4}}, {{8, 4}}}};
-    layers.uniform_refinements         = n_halvings;
-    layers.friction                    = theory.friction;
-    layers.normal_stress               = theory.normal_stress;
-    layers.velocity                    = theory.slip_rate;
-    std::vector<std::string> overrides = {
+    layers.material                          = theory.material;
+    layers.thickness                         = theory.thickness;
+    layers.length                            = length;
+    layers.coarse_cells                      = {{{{8, 4}}, {{8, 4}}}};
+    layers.uniform_refinements               = n_halvings;
+    layers.friction                          = theory.friction;
+    layers.normal_stress                     = theory.normal_stress;
+    layers.velocity                          = theory.slip_rate;
+    const std::vector<std::string> overrides = {
       "Faults/fault/Friction=velocity strengthening",
       "Faults/fault/Normal stress follows=true",
       std::string("Boundary conditions/upper top/y condition=") +
@@ -67,8 +67,7 @@ namespace
       "TNNMG/Tolerance=1e-12",
       "Time/Rate-state tolerance=1e-12",
       "Time/Largest step=1e6"};
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return SteppingScene(layers.text(), overrides);
+    return SteppingScene(layers.text(), overrides + more);
   }
 
 

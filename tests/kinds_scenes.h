@@ -43,16 +43,6 @@ namespace StickSlip::Tests
 
 
 
-  inline std::vector<std::string>
-  operator+(std::vector<std::string>        overrides,
-            const std::vector<std::string> &more)
-  {
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return overrides;
-  }
-
-
-
   /** The creeping bodies as a stiff block of 2 m x 0.5 m on a foundation; 5
    * t/m^3 unless the scene says something else. */
   inline const std::vector<std::string> block_on_foundation = {

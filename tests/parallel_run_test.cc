@@ -41,32 +41,12 @@ TEST(ParallelRun, SpringSliderHasTheSameFirstEvent)
 
 namespace
 {
-  // The creeping bodies at a thousandfold speed slide by half a metre, several
-  // faces and, on several processes, past the parts of others.
-  SceneParameters<2>
-  sliding_scene(const std::vector<std::string> &more)
-  {
-    std::vector<std::string> overrides = {
-      "Boundary conditions/upper top/x value=0.25",
-      "Boundary conditions/upper top/Ramp length=0.2",
-      "Faults/fault/Reference slip rate=0.25",
-      "Faults/fault/Characteristic slip=0.25",
-      "Faults/fault/Normal stress function=1e3",
-      "Time/End time=2.1",
-      "Time/Largest step=0.05",
-      "Time/Tolerance=1e-3",
-      "TNNMG/Tolerance=1e-9"};
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return read_scene(creeping_bodies, overrides);
-  }
-
-
-
   void
   expect_equal_sliding(const std::vector<std::string> &more)
   {
-    const SceneParameters<2> scene = sliding_scene(more);
-    SharedAndAlone           runs(scene);
+    const SceneParameters<2> scene =
+      fast_sliding_scene(Settings{"TNNMG/Tolerance=1e-9"} + more);
+    SharedAndAlone runs(scene);
     EXPECT_GT(runs.alone.counts().contact_mappings, 5u);
     EXPECT_EQ(runs.shared.counts().contact_mappings,
               runs.alone.counts().contact_mappings);

@@ -52,7 +52,7 @@ namespace
     std::vector<double> defects;
     for (const double tau : {0.02, 0.01, 0.005})
       {
-        std::vector<std::string> overrides = {
+        const std::vector<std::string> overrides = {
           "Time/Step size control=constant",
           "Time/Largest step=" + std::to_string(tau),
           "Time/Rate-state tolerance=1e-11",
@@ -63,8 +63,8 @@ namespace
           "Boundary conditions/upper top/y value=-1e4*t^4",
           "Boundary conditions/upper top/Ramp length=0",
           "Output/Event start slip rate=1"};
-        overrides.insert(overrides.end(), materials.begin(), materials.end());
-        const Account account   = run(read_scene(creeping_bodies, overrides));
+        const Account account =
+          run(read_scene(creeping_bodies, overrides + materials));
         const EnergyTerms &work = account.work;
         std::cout << "tau = " << tau << " s: loads " << work.loads
                   << ", driven sides " << work.driven_sides << ", viscosity "

@@ -17,15 +17,6 @@ namespace
     "Bodies/lower/Refinement passes=2",
     "Faults/fault/Normal stress=lithostatic",
     "Time/End time=12"};
-
-
-
-  std::vector<std::string>
-  with(std::vector<std::string> overrides, const std::vector<std::string> &more)
-  {
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return overrides;
-  }
 } // namespace
 
 
@@ -34,7 +25,7 @@ TEST(Foundation, IsTheLimitOfStiffBodies)
 {
   const RunHistory founded(
     published_scene("spring_slider",
-                    with(one_event, {"Bodies/lower/Rigid=true"})));
+                    one_event + Settings{"Bodies/lower/Rigid=true"}));
   ASSERT_GE(founded.events.size(), 1u);
 
   // The difference falls as the compliance of the lower body.
@@ -43,7 +34,8 @@ TEST(Foundation, IsTheLimitOfStiffBodies)
     {
       const RunHistory stiff(published_scene(
         "spring_slider",
-        with(one_event, {"Bodies/lower/Material/Young modulus=" + modulus})));
+        one_event +
+          Settings{"Bodies/lower/Material/Young modulus=" + modulus}));
       ASSERT_GE(stiff.events.size(), 1u);
       differences.push_back(stiff.events[0].start - founded.events[0].start);
       std::cout << "E = " << modulus << " Pa: the first event at "

@@ -33,9 +33,7 @@ namespace
   SceneParameters<2>
   sliding_scene(const std::vector<std::string> &more = {})
   {
-    std::vector<std::string> overrides = fast;
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return read_scene(creeping_bodies, overrides);
+    return read_scene(creeping_bodies, fast + more);
   }
 
 

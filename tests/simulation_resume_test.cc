@@ -14,30 +14,6 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  using Settings = std::vector<std::string>;
-
-
-
-  /** The creeping bodies at a speed at which the contact mapping follows them
-   * again and again. */
-  SceneParameters<2>
-  sliding_scene(const Settings &more)
-  {
-    Settings overrides = {"Boundary conditions/upper top/x value=0.25",
-                          "Boundary conditions/upper top/Ramp length=0.2",
-                          "Faults/fault/Reference slip rate=0.25",
-                          "Faults/fault/Characteristic slip=0.25",
-                          "Faults/fault/Normal stress function=1e3",
-                          "Time/End time=2.1",
-                          "Time/Largest step=0.05",
-                          "Time/Tolerance=1e-3",
-                          "Output/Energy balance=true"};
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return read_scene(creeping_bodies, overrides);
-  }
-
-
-
   double
   mean_slip_rate(Simulation<2> &simulation)
   {
@@ -116,7 +92,7 @@ TEST(Resume, GoesOnWithTheSameBitsAfterTheContactHasChanged)
         Settings{"Boundary conditions/upper top/x value=0.25+0.1*sin(5*t)"}})
     {
       SCOPED_TRACE(more.empty() ? "as it is" : more.back());
-      const SceneParameters<2> scene = sliding_scene(more);
+      const SceneParameters<2> scene = fast_sliding_scene(more);
       Simulation<2>            kept(scene, MPI_COMM_WORLD);
       kept.set_up();
       while (kept.state().time < 1.)
@@ -151,7 +127,7 @@ TEST(Resume, GoesOnWithTheSameBitsThroughAnEvent)
 TEST(Resume, WrongFilesAreRefused)
 {
   const TemporaryFolder    folder;
-  const SceneParameters<2> scene = sliding_scene({});
+  const SceneParameters<2> scene = fast_sliding_scene({});
   Simulation<2>            simulation(scene, MPI_COMM_WORLD);
   const auto message = [&](Simulation<2> &which, const std::string &name) {
     return message_of([&]() { which.resume(folder.file(name)); });
@@ -167,7 +143,7 @@ TEST(Resume, WrongFilesAreRefused)
   const std::string content = content_of(folder.file("state"));
   folder.write("part", content.substr(0, content.size() / 2));
   expect_one_sentence_with(message(simulation, "part"), {"is damaged"});
-  Simulation<2> finer(sliding_scene({"Bodies/upper/Refinement passes=3"}),
+  Simulation<2> finer(fast_sliding_scene({"Bodies/upper/Refinement passes=3"}),
                       MPI_COMM_WORLD);
   expect_one_sentence_with(message(finer, "state"),
                            {"is not the state of a run with these meshes"});

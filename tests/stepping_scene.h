@@ -27,6 +27,39 @@ namespace StickSlip::Tests
 
 
 
+  /** Settings of entries. */
+  using Settings = std::vector<std::string>;
+
+
+
+  /** Settings, and more of them, which count where both set an entry. */
+  inline Settings
+  operator+(Settings overrides, const Settings &more)
+  {
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return overrides;
+  }
+
+
+
+  /** The creeping bodies at a thousandfold speed: they slide by half a metre,
+   * several faces and, on several processes, past the parts of others. */
+  inline SceneParameters<2>
+  fast_sliding_scene(const Settings &more)
+  {
+    const Settings fast = {"Boundary conditions/upper top/x value=0.25",
+                           "Boundary conditions/upper top/Ramp length=0.2",
+                           "Faults/fault/Reference slip rate=0.25",
+                           "Faults/fault/Characteristic slip=0.25",
+                           "Faults/fault/Normal stress function=1e3",
+                           "Time/End time=2.1",
+                           "Time/Largest step=0.05",
+                           "Time/Tolerance=1e-3"};
+    return read_scene(creeping_bodies, fast + more);
+  }
+
+
+
   /** The parameters of a node with rate-and-state friction. */
   inline const RateAndStateParameters &
   friction_parameters(const FaultLaw &law)

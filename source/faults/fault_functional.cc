@@ -35,12 +35,6 @@ namespace StickSlip
 
 
 
-  template std::unique_ptr<FaultFriction<2>>
-  make_fault_friction(const FaultNodes<2> &,
-                      const NodeLaws &,
-                      const std::vector<double> &);
-  template std::unique_ptr<FaultFriction<3>>
-  make_fault_friction(const FaultNodes<3> &,
-                      const NodeLaws &,
-                      const std::vector<double> &);
+  template decltype(make_fault_friction<2>) make_fault_friction<2>;
+  template decltype(make_fault_friction<3>) make_fault_friction<3>;
 } // namespace StickSlip

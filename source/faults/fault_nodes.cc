@@ -40,33 +40,6 @@ namespace StickSlip
 
 
   template <int dim>
-  unsigned int
-  FaultNodes<dim>::fault(const unsigned int k) const
-  {
-    return fault_of_node[k];
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  FaultNodes<dim>::node(const unsigned int k) const
-  {
-    return partition.local_index(nodes[k]);
-  }
-
-
-
-  template <int dim>
-  bool
-  FaultNodes<dim>::in_contact(const unsigned int k) const
-  {
-    return active[k];
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   FaultNodes<dim>::at_owned_contact(const std::vector<double> &values) const
   {

@@ -25,15 +25,6 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  FollowingStress<dim>::is_needed() const
-  {
-    return !follows.empty();
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   FollowingStress<dim>::normal_stress(
     const std::vector<double> &before,
@@ -90,14 +81,8 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                          \
-  template class FollowingStress<dim>;                      \
-  template std::vector<double> relative_stress_change<dim>( \
-    const FaultNodes<dim> &,                                \
-    const NodeLaws &,                                       \
-    const std::vector<double> &,                            \
-    const std::vector<double> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template class FollowingStress<2>;
+  template class FollowingStress<3>;
+  template decltype(relative_stress_change<2>) relative_stress_change<2>;
+  template decltype(relative_stress_change<3>) relative_stress_change<3>;
 } // namespace StickSlip

@@ -37,52 +37,11 @@ namespace StickSlip
 
 
 
-  double
-  CoulombLaw::coefficient(const double, const double) const
-  {
-    return mu;
-  }
-
-
-
-  double
-  CoulombLaw::derivative(const double, const double) const
-  {
-    return 0.;
-  }
-
-
-
-  double
-  CoulombLaw::potential(const double V, const double) const
-  {
-    return mu * V;
-  }
-
-
-
-  double
-  CoulombLaw::minimiser(const double c,
-                        const double r,
-                        const double k,
-                        const double) const
-  {
-    return std::max(0., (r - k * mu) / c);
-  }
-
-
-
-  FrictionlessLaw::FrictionlessLaw(const LawValues &)
-    : CoulombLaw(0.)
-  {}
-
-
-
   LawKind
-  FrictionlessLaw::kind()
+  CoulombLaw::frictionless_kind()
   {
-    LawKind kind             = {"frictionless", "nothing", {}};
-    kind.needs_normal_stress = false;
-    return kind;
+    return {"frictionless", "nothing", {}, false, false, [](const LawValues &) {
+              return std::make_shared<const CoulombLaw>(0.);
+            }};
   }
 } // namespace StickSlip

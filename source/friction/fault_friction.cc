@@ -108,7 +108,6 @@ namespace StickSlip
   FaultFriction<dim>::set_state(const std::vector<double> &alpha)
   {
     AssertDimension(alpha.size(), terms.size());
-    state = alpha;
     for (unsigned int k = 0; k < terms.size(); ++k)
       terms[k].data = terms[k].law->node_data(alpha[k]);
   }
@@ -127,7 +126,6 @@ namespace StickSlip
                              "zero or positive, but is " +
                              std::to_string(sigma) + " Pa at some node."));
 
-    this->normal_stresses = normal_stresses;
     for (unsigned int k = 0; k < terms.size(); ++k)
       terms[k].load = weights[k] * normal_stresses[k];
   }
@@ -149,39 +147,10 @@ namespace StickSlip
 
 
   template <int dim>
-  const FrictionLaw &
-  FaultFriction<dim>::law(const unsigned int k) const
-  {
-    AssertIndexRange(k, terms.size());
-    return *terms[k].law;
-  }
-
-
-
-  template <int dim>
-  double
-  FaultFriction<dim>::law_data(const unsigned int k) const
-  {
-    AssertIndexRange(k, terms.size());
-    return terms[k].data;
-  }
-
-
-
-  template <int dim>
   double
   FaultFriction<dim>::slip_rate(const Tensor<1, dim> &v)
   {
     return magnitude(tangential_part(v));
-  }
-
-
-
-  template <int dim>
-  const std::vector<unsigned int> &
-  FaultFriction<dim>::nodes() const
-  {
-    return node_indices;
   }
 
 

@@ -87,14 +87,6 @@ namespace StickSlip
 
 
 
-  std::string
-  FaultParameters::section() const
-  {
-    return "Faults/" + name;
-  }
-
-
-
   template std::vector<FaultPart>
   FaultParameters::parts(const std::vector<Point<2>> &) const;
   template std::vector<FaultPart>

@@ -7,14 +7,6 @@
 
 namespace StickSlip
 {
-  bool
-  FrictionLaw::is_smooth(const double V, const double data) const
-  {
-    return V > 0. || coefficient(0., data) == 0.;
-  }
-
-
-
   double
   FrictionLaw::minimiser(const double c,
                          const double r,

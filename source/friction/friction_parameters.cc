@@ -21,38 +21,6 @@ namespace StickSlip
 
 
 
-  SpatialField &
-  FrictionParameters::operator[](const std::string &entry)
-  {
-    return parameters.at(entry);
-  }
-
-
-
-  const SpatialField &
-  FrictionParameters::operator[](const std::string &entry) const
-  {
-    return parameters.at(entry);
-  }
-
-
-
-  bool
-  FrictionParameters::has_state() const
-  {
-    return chosen_kind->has_state;
-  }
-
-
-
-  bool
-  FrictionParameters::has_prescribed_slip() const
-  {
-    return !chosen_kind->make_law;
-  }
-
-
-
   void
   FrictionParameters::add_parameters(ParameterHandler  &prm,
                                      const unsigned int dim)

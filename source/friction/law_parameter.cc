@@ -10,54 +10,6 @@
 
 namespace StickSlip
 {
-  LawParameter
-  LawParameter::field(const std::string &entry,
-                      const std::string &documentation,
-                      const std::string &unit,
-                      const NumberRange &range,
-                      const double       default_value)
-  {
-    LawParameter parameter;
-    parameter.entry         = entry;
-    parameter.documentation = documentation;
-    parameter.unit          = unit;
-    parameter.range         = range;
-    parameter.default_value = default_value;
-    return parameter;
-  }
-
-
-
-  LawParameter
-  LawParameter::number(const std::string &entry,
-                       const std::string &documentation,
-                       const std::string &unit,
-                       const NumberRange &range,
-                       const double       default_value)
-  {
-    LawParameter parameter =
-      field(entry, documentation, unit, range, default_value);
-    parameter.varies = false;
-    return parameter;
-  }
-
-
-
-  LawParameter
-  LawParameter::choice(const std::string              &entry,
-                       const std::string              &documentation,
-                       const std::vector<std::string> &words)
-  {
-    LawParameter parameter;
-    parameter.entry         = entry;
-    parameter.documentation = documentation;
-    parameter.words         = words;
-    parameter.varies        = false;
-    return parameter;
-  }
-
-
-
   std::string
   LawParameter::full_documentation() const
   {

@@ -41,12 +41,13 @@ namespace StickSlip
   law_registry()
   {
     // The kinds of friction, in the order in which they are documented.
-    static const LawRegistry registry({kind_of_law<RateAndStateLaw>(),
-                                       kind_of_law<VelocityStrengtheningLaw>(),
-                                       kind_of_law<CoulombLaw>(),
-                                       kind_of_law<FrictionlessLaw>(),
-                                       welded_kind(),
-                                       prescribed_slip_rate_kind()});
+    static const LawRegistry registry(
+      {kind_of_law<RateAndStateLaw>(),
+       RateAndStateLaw::velocity_strengthening_kind(),
+       kind_of_law<CoulombLaw>(),
+       CoulombLaw::frictionless_kind(),
+       welded_kind(),
+       prescribed_slip_rate_kind()});
     return registry;
   }
 

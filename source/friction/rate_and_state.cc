@@ -157,7 +157,7 @@ namespace StickSlip
                                    const Regularisation          regularisation)
     : parameters(parameters)
     , regularisation(regularisation)
-    , log_minimal_slip_rate_at_zero(
+    , log_vmin_at_zero(
         std::log(parameters.reference_slip_rate) -
         (parameters.reference_friction +
          parameters.b * std::log(parameters.reference_slip_rate /
@@ -174,8 +174,7 @@ namespace StickSlip
                 dealii::ExcMessage(
                   "The reference slip rate V0 and the characteristic slip L of "
                   "rate-and-state friction must be positive."));
-    AssertThrow(std::isfinite(log_minimal_slip_rate_at_zero) &&
-                  std::isfinite(parameters.b),
+    AssertThrow(std::isfinite(log_vmin_at_zero) && std::isfinite(parameters.b),
                 dealii::ExcMessage("The parameters of rate-and-state friction "
                                    "must be finite."));
   }
@@ -211,44 +210,12 @@ namespace StickSlip
 
 
   double
-  RateAndStateLaw::log_minimal_slip_rate(const double alpha) const
-  {
-    return log_minimal_slip_rate_at_zero - parameters.b / parameters.a * alpha;
-  }
-
-
-
-  double
-  RateAndStateLaw::node_data(const double alpha) const
-  {
-    return log_minimal_slip_rate(alpha);
-  }
-
-
-
-  double
-  RateAndStateLaw::rate_scale() const
-  {
-    return std::max(parameters.a, parameters.b);
-  }
-
-
-
-  double
   RateAndStateLaw::scaled_coefficient(const double V,
                                       const double log_vmin) const
   {
     const double x = std::log(V) - log_vmin;
     return (regularisation == Regularisation::truncated) ? std::max(0., x) :
                                                            asinh_half_exp(x);
-  }
-
-
-
-  double
-  RateAndStateLaw::coefficient(const double V, const double log_vmin) const
-  {
-    return parameters.a * scaled_coefficient(V, log_vmin);
   }
 
 
@@ -330,25 +297,27 @@ namespace StickSlip
 
 
 
-  VelocityStrengtheningLaw::VelocityStrengtheningLaw(const LawValues &values)
-    : RateAndStateLaw({values[CommonParameters::direct_effect()],
-                       0.,
-                       values[CommonParameters::reference_friction()],
-                       values[CommonParameters::reference_slip_rate()],
-                       RateAndStateParameters().characteristic_slip},
-                      chosen_regularisation(values))
-  {}
-
-
-
   LawKind
-  VelocityStrengtheningLaw::kind()
+  RateAndStateLaw::velocity_strengthening_kind()
   {
     return {"velocity strengthening",
             "mu0 + a ln(V/V0)",
             {CommonParameters::direct_effect(),
              CommonParameters::reference_friction(),
              CommonParameters::reference_slip_rate(),
-             regularisation_choice()}};
+             regularisation_choice()},
+            false,
+            true,
+            [](const LawValues &values) {
+              RateAndStateParameters parameters;
+              parameters.a = values[CommonParameters::direct_effect()];
+              parameters.b = 0.;
+              parameters.reference_friction =
+                values[CommonParameters::reference_friction()];
+              parameters.reference_slip_rate =
+                values[CommonParameters::reference_slip_rate()];
+              return std::make_shared<const RateAndStateLaw>(
+                parameters, chosen_regularisation(values));
+            }};
   }
 } // namespace StickSlip

@@ -74,59 +74,63 @@ namespace StickSlip
       else
         return (alpha + log_rate) / (1. + g) - log_rate;
     }
+
+
+
+    class AgingLaw : public StateLaw
+    {
+    public:
+      double
+      rate(const double alpha, const double V, const double L) const override
+      {
+        return std::exp(-alpha) - V / L;
+      }
+
+      double
+      updated(const StateUpdate update,
+              const double      alpha,
+              const double      V,
+              const double      L,
+              const double      tau) const override
+      {
+        Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
+        const double g = V / L * tau;
+        return update == StateUpdate::exponential ?
+                 exponential_aging(alpha, g, tau) :
+                 implicit_aging(alpha, g, tau);
+      }
+    };
+
+
+
+    class SlipLaw : public StateLaw
+    {
+    public:
+      double
+      rate(const double alpha, const double V, const double L) const override
+      {
+        return (V == 0.) ? 0. : -V / L * (alpha + std::log(V / L));
+      }
+
+      double
+      updated(const StateUpdate update,
+              const double      alpha,
+              const double      V,
+              const double      L,
+              const double      tau) const override
+      {
+        Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
+        const double rate = V / L;
+        // The state stands still, also if V/L underflows.
+        if (rate == 0.)
+          return alpha;
+        const double g = rate * tau;
+        return update == StateUpdate::exponential ?
+                 exponential_slip(alpha, g, std::log(rate)) :
+                 implicit_slip(alpha, g, std::log(rate));
+      }
+    };
   } // namespace
-
-
-
-  double
-  AgingLaw::rate(const double alpha, const double V, const double L) const
-  {
-    return std::exp(-alpha) - V / L;
-  }
-
-
-
-  double
-  AgingLaw::updated(const StateUpdate update,
-                    const double      alpha,
-                    const double      V,
-                    const double      L,
-                    const double      tau) const
-  {
-    Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
-    const double g = V / L * tau;
-    return update == StateUpdate::exponential ?
-             exponential_aging(alpha, g, tau) :
-             implicit_aging(alpha, g, tau);
-  }
-
-
-
-  double
-  SlipLaw::rate(const double alpha, const double V, const double L) const
-  {
-    return (V == 0.) ? 0. : -V / L * (alpha + std::log(V / L));
-  }
-
-
-
-  double
-  SlipLaw::updated(const StateUpdate update,
-                   const double      alpha,
-                   const double      V,
-                   const double      L,
-                   const double      tau) const
-  {
-    Assert(V >= 0. && L > 0. && tau >= 0., dealii::ExcInternalError());
-    const double rate = V / L;
-    // The state stands still, also if V/L underflows.
-    if (rate == 0.)
-      return alpha;
-    const double g = rate * tau;
-    return update == StateUpdate::exponential ?
-             exponential_slip(alpha, g, std::log(rate)) :
-             implicit_slip(alpha, g, std::log(rate));
-  }
 
 
 

@@ -6,17 +6,6 @@
 
 namespace StickSlip
 {
-  MaterialFields::MaterialFields(const Material &material)
-    : youngs_modulus(material.youngs_modulus)
-    , poissons_ratio(material.poissons_ratio)
-    , density(material.density)
-    , shear_viscosity(material.shear_viscosity)
-    , bulk_viscosity(material.bulk_viscosity)
-    , volumetric_strain(material.volumetric_strain)
-  {}
-
-
-
   bool
   MaterialFields::are_constant() const
   {

@@ -9,7 +9,7 @@
 #include <stickslip/version.h>
 
 #include <fstream>
-#include <functional>
+#include <map>
 
 namespace StickSlip
 {
@@ -40,15 +40,30 @@ namespace StickSlip
 
 
 
-    /** Form in which a field is written. */
+    /** Form in which a field is written: tangential vectors or numbers of all
+     * nodes, the other one null. */
     template <int dim>
     struct FieldDescription
     {
-      std::string units, description;
-      /** Extents of a record after the first one, which is that of nodes. */
-      std::vector<hsize_t> shape;
+      std::string                     units, description;
+      std::vector<Tensor<1, dim - 1>> FaultSnapshot<dim>::*vectors;
+      std::vector<double> FaultSnapshot<dim>::*numbers;
+
+      /** Extents of a record. */
+      std::vector<hsize_t>
+      shape(const hsize_t n_nodes) const
+      {
+        if (vectors && dim == 3)
+          return {n_nodes, dim - 1};
+        return {n_nodes};
+      }
+
       /** All values of a record, node by node. */
-      std::function<std::vector<double>(const FaultSnapshot<dim> &)> values;
+      std::vector<double>
+      values(const FaultSnapshot<dim> &fault) const
+      {
+        return vectors ? flatten(fault.*vectors) : fault.*numbers;
+      }
     };
 
 
@@ -58,56 +73,42 @@ namespace StickSlip
     describe(const FaultField field)
     {
       using Fault = FaultSnapshot<dim>;
-      const std::vector<hsize_t> vector =
-        dim == 2 ? std::vector<hsize_t>() : std::vector<hsize_t>{dim - 1};
-      switch (field)
-        {
-          case FaultField::slip:
-            return {"m",
-                    "slip of the upper body relative to the lower one, "
-                    "tangential components",
-                    vector,
-                    [](const Fault &fault) { return flatten(fault.slip); }};
-          case FaultField::slip_rate:
-            return {"m/s",
-                    "rate of the slip, tangential components",
-                    vector,
-                    [](const Fault &fault) {
-                      return flatten(fault.slip_rate);
-                    }};
-          case FaultField::shear_traction:
-            return {"Pa",
-                    "traction that resists the slip, with the sign of the "
-                    "slip rate",
-                    vector,
-                    [](const Fault &fault) {
-                      return flatten(fault.shear_traction);
-                    }};
-          case FaultField::normal_stress:
-            return {"Pa",
-                    "normal stress that friction feels, compression positive",
-                    {},
-                    [](const Fault &fault) { return fault.normal_stress; }};
-          case FaultField::state:
-            return {"s",
-                    "state theta of the friction law",
-                    {},
-                    [](const Fault &fault) { return fault.state; }};
-          case FaultField::contact_pressure:
-            return {"Pa",
-                    "force that keeps the sides together over the area, "
-                    "compression positive",
-                    {},
-                    [](const Fault &fault) { return fault.contact_pressure; }};
-          case FaultField::contact_weight:
-            return {dim == 2 ? "m" : "m^2",
-                    "share of each node in the area of contact; 0: not in "
-                    "contact",
-                    {},
-                    [](const Fault &fault) { return fault.weights; }};
-        }
-      AssertThrow(false, ExcInternalError());
-      return {};
+      static const std::map<FaultField, FieldDescription<dim>> fields = {
+        {FaultField::slip,
+         {"m",
+          "slip of the upper body relative to the lower one, tangential "
+          "components",
+          &Fault::slip,
+          nullptr}},
+        {FaultField::slip_rate,
+         {"m/s",
+          "rate of the slip, tangential components",
+          &Fault::slip_rate,
+          nullptr}},
+        {FaultField::shear_traction,
+         {"Pa",
+          "traction that resists the slip, with the sign of the slip rate",
+          &Fault::shear_traction,
+          nullptr}},
+        {FaultField::normal_stress,
+         {"Pa",
+          "normal stress that friction feels, compression positive",
+          nullptr,
+          &Fault::normal_stress}},
+        {FaultField::state,
+         {"s", "state theta of the friction law", nullptr, &Fault::state}},
+        {FaultField::contact_pressure,
+         {"Pa",
+          "force that keeps the sides together over the area, compression "
+          "positive",
+          nullptr,
+          &Fault::contact_pressure}},
+        {FaultField::contact_weight,
+         {dim == 2 ? "m" : "m^2",
+          "share of each node in the area of contact; 0: not in contact",
+          nullptr,
+          &Fault::weights}}};
+      return fields.at(field);
     }
 
 
@@ -119,10 +120,46 @@ namespace StickSlip
     public:
       FaultGroup(const hid_t                    file,
                  const FaultSnapshot<dim>      &fault,
-                 const std::vector<FaultField> &fields);
+                 const std::vector<FaultField> &wanted)
+        : n_nodes(fault.points.size())
+        , group(create_hdf5_group(file, fault.name))
+        , time(group, "time", {})
+      {
+        describe(time.id(), "s", "time of each record");
+        for (const auto &[field, name] : fault_field_names())
+          if (has_field(wanted, field))
+            {
+              const FieldDescription<dim> description = describe<dim>(field);
+              fields.push_back(
+                {description,
+                 Hdf5Series(group, name, description.shape(n_nodes))});
+              describe(fields.back().series.id(),
+                       description.units,
+                       description.description);
+            }
+
+        std::vector<double> coordinates;
+        for (const Point<dim> &point : fault.points)
+          for (unsigned int d = 0; d < dim; ++d)
+            coordinates.push_back(point[d]);
+        describe(
+          write_hdf5_array(group, "coordinates", {n_nodes, dim}, coordinates),
+          "m",
+          "reference positions of the nodes");
+        describe(write_hdf5_array(group, "weight", {n_nodes}, fault.weights),
+                 dim == 2 ? "m" : "m^2",
+                 "share of each node in the fault's area; 0: not in contact");
+      }
 
       void
-      append(const double time, const FaultSnapshot<dim> &fault);
+      append(const double new_time, const FaultSnapshot<dim> &fault)
+      {
+        AssertDimension(fault.points.size(), n_nodes);
+        for (Field &field : fields)
+          field.series.append(field.description.values(fault));
+        // Last, so that each time has its fields.
+        time.append({new_time});
+      }
 
     private:
       struct Field
@@ -136,58 +173,6 @@ namespace StickSlip
       Hdf5Series         time;
       std::vector<Field> fields;
     };
-
-
-
-    template <int dim>
-    FaultGroup<dim>::FaultGroup(const hid_t                    file,
-                                const FaultSnapshot<dim>      &fault,
-                                const std::vector<FaultField> &wanted)
-      : n_nodes(fault.points.size())
-      , group(create_hdf5_group(file, fault.name))
-      , time(group, "time", {})
-    {
-      describe(time.id(), "s", "time of each record");
-      for (const auto &[field, name] : fault_field_names())
-        if (has_field(wanted, field))
-          {
-            const FieldDescription<dim> description = describe<dim>(field);
-            std::vector<hsize_t>        shape       = {n_nodes};
-            shape.insert(shape.end(),
-                         description.shape.begin(),
-                         description.shape.end());
-            fields.push_back({description, Hdf5Series(group, name, shape)});
-            describe(fields.back().series.id(),
-                     description.units,
-                     description.description);
-          }
-
-      std::vector<double> coordinates;
-      for (const Point<dim> &point : fault.points)
-        for (unsigned int d = 0; d < dim; ++d)
-          coordinates.push_back(point[d]);
-      describe(
-        write_hdf5_array(group, "coordinates", {n_nodes, dim}, coordinates),
-        "m",
-        "reference positions of the nodes");
-      describe(write_hdf5_array(group, "weight", {n_nodes}, fault.weights),
-               dim == 2 ? "m" : "m^2",
-               "share of each node in the fault's area; 0: not in contact");
-    }
-
-
-
-    template <int dim>
-    void
-    FaultGroup<dim>::append(const double              new_time,
-                            const FaultSnapshot<dim> &fault)
-    {
-      AssertDimension(fault.points.size(), n_nodes);
-      for (Field &field : fields)
-        field.series.append(field.description.values(fault));
-      // Last, so that each time has its fields.
-      time.append({new_time});
-    }
   } // namespace
 
 
@@ -223,7 +208,6 @@ namespace StickSlip
     // In this order, so that the file is closed last.
     Hdf5Handle                   file;
     std::vector<FaultGroup<dim>> groups;
-    unsigned int                 n_records = 0;
   };
 
 
@@ -255,16 +239,6 @@ namespace StickSlip
     for (unsigned int i = 0; i < faults.size(); ++i)
       file->groups[i].append(time, faults[i]);
     file->flush();
-    ++file->n_records;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  FaultHistory<dim>::n_records() const
-  {
-    return file->n_records;
   }
 
 

@@ -59,8 +59,6 @@ namespace StickSlip
 
 
 
-  template FaultStatistics
-  fault_statistics(const FaultSnapshot<2> &);
-  template FaultStatistics
-  fault_statistics(const FaultSnapshot<3> &);
+  template decltype(fault_statistics<2>) fault_statistics<2>;
+  template decltype(fault_statistics<3>) fault_statistics<3>;
 } // namespace StickSlip

@@ -97,14 +97,6 @@ namespace StickSlip
 
 
 
-  Hdf5Handle::~Hdf5Handle()
-  {
-    if (id >= 0)
-      close(id);
-  }
-
-
-
   Hdf5Series::Hdf5Series(const hid_t                 group,
                          const std::string          &name,
                          const std::vector<hsize_t> &record_shape)

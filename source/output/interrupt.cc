@@ -55,17 +55,9 @@ namespace StickSlip
 
 
   bool
-  Interrupt::is_requested() const
-  {
-    return signal_received != 0;
-  }
-
-
-
-  bool
   Interrupt::is_requested(const MPI_Comm communicator) const
   {
-    int requested = is_requested() ? 1 : 0;
+    int requested = signal_received;
     MPI_Allreduce(MPI_IN_PLACE, &requested, 1, MPI_INT, MPI_MAX, communicator);
     return requested != 0;
   }

@@ -6,6 +6,47 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    void
+    add_cadence(ParameterHandler  &prm,
+                const std::string &name,
+                CadenceParameters &cadence,
+                const std::string &what_happens,
+                const std::string &the_last_ones,
+                const std::string &things)
+    {
+      add_number(prm,
+                 name + " slip rate factor",
+                 cadence.slip_rate_factor,
+                 NumberRange().above(1),
+                 what_happens +
+                   " when the largest slip rate has changed by this factor "
+                   "since " +
+                   the_last_ones + ", without unit.");
+      add_number(prm,
+                 name + " slip interval",
+                 cadence.slip_interval,
+                 NumberRange().at_least(0),
+                 what_happens +
+                   " when the largest slip rate would have made the fault slip "
+                   "this far since then, in m; 0: not for this reason.");
+      add_number(prm,
+                 name + " shortest interval",
+                 cadence.shortest_interval,
+                 NumberRange().at_least(0),
+                 "Shortest time between two " + things + ", in s.");
+      add_number(prm,
+                 name + " longest interval",
+                 cadence.longest_interval,
+                 NumberRange().above(0),
+                 "Longest time between two " + things +
+                   ", in s; exceeded only by a longer time step.");
+    }
+  } // namespace
+
+
+
   void
   OutputParameters::add_parameters(ParameterHandler &prm)
   {
@@ -37,30 +78,12 @@ namespace StickSlip
       "where the normal stress follows it; contact_weight, each node's share "
       "in the area of contact (m, in three dimensions m^2), which changes as "
       "bodies slide.");
-    add_number(prm,
-               "Fault slip rate factor",
-               fault_slip_rate_factor,
-               NumberRange().above(1),
-               "A record is added to faults.h5 when the largest slip rate has "
-               "changed by this factor since the last one, without unit.");
-    add_number(prm,
-               "Fault slip interval",
-               fault_slip_interval,
-               NumberRange().at_least(0),
-               "A record is added to faults.h5 when the largest slip rate "
-               "would have made the fault slip this far since then, in m; 0: "
-               "not for this reason.");
-    add_number(prm,
-               "Fault shortest interval",
-               fault_shortest_interval,
-               NumberRange().at_least(0),
-               "Shortest time between two records in faults.h5, in s.");
-    add_number(prm,
-               "Fault longest interval",
-               fault_longest_interval,
-               NumberRange().above(0),
-               "Longest time between two records in faults.h5, in s; exceeded "
-               "only by a longer time step.");
+    add_cadence(prm,
+                "Fault",
+                fault_cadence,
+                "A record is added to faults.h5",
+                "the last one",
+                "records in faults.h5");
     add_switch(prm,
                "Write volume",
                write_volume,
@@ -75,30 +98,12 @@ namespace StickSlip
       "stress (elastic part, Pa, tension positive), strain (without unit), "
       "the number of the body from below, and the material, as far as it "
       "varies in any body.");
-    add_number(prm,
-               "Volume slip rate factor",
-               volume_slip_rate_factor,
-               NumberRange().above(1),
-               "VTU files are written when the largest slip rate has changed "
-               "by this factor since the last ones, without unit.");
-    add_number(prm,
-               "Volume slip interval",
-               volume_slip_interval,
-               NumberRange().at_least(0),
-               "VTU files are written when the largest slip rate "
-               "would have made the fault slip this far since then, in m; 0: "
-               "not for this reason.");
-    add_number(prm,
-               "Volume shortest interval",
-               volume_shortest_interval,
-               NumberRange().at_least(0),
-               "Shortest time between two sets of VTU files, in s.");
-    add_number(prm,
-               "Volume longest interval",
-               volume_longest_interval,
-               NumberRange().above(0),
-               "Longest time between two sets of VTU files, in s; exceeded "
-               "only by a longer time step.");
+    add_cadence(prm,
+                "Volume",
+                volume_cadence,
+                "VTU files are written",
+                "the last ones",
+                "sets of VTU files");
     add_number(prm,
                "Event start slip rate",
                event_start_slip_rate,

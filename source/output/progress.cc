@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/output/progress.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -70,14 +69,6 @@ namespace StickSlip
       out << '\n';
     out << std::flush;
     has_report = false;
-  }
-
-
-
-  bool
-  Progress::standard_output_is_terminal()
-  {
-    return isatty(STDOUT_FILENO) == 1;
   }
 
 

@@ -9,12 +9,6 @@
 
 namespace StickSlip
 {
-  PvdRecord::PvdRecord(const std::string &file_name)
-    : file_name(file_name)
-  {}
-
-
-
   void
   PvdRecord::add(const double time, const std::string &vtu_file_name)
   {
@@ -32,13 +26,5 @@ namespace StickSlip
     text << "  </Collection>\n"
          << "</VTKFile>\n";
     write_file_atomically(file_name, text.str());
-  }
-
-
-
-  void
-  PvdRecord::resume(const VolumeEntries &entries)
-  {
-    files = entries;
   }
 } // namespace StickSlip

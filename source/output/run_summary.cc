@@ -11,50 +11,13 @@
 namespace StickSlip
 {
   void
-  RunSummary::add(const std::string &section,
-                  const std::string &key,
-                  const std::string &value)
-  {
-    auto place = std::find_if(sections.begin(),
-                              sections.end(),
-                              [&section](const Section &candidate) {
-                                return candidate.name == section;
-                              });
-    if (place == sections.end())
-      place = sections.insert(place, Section{section, {}});
-
-    const auto line = std::find_if(place->lines.begin(),
-                                   place->lines.end(),
-                                   [&key](const auto &candidate) {
-                                     return candidate.first == key;
-                                   });
-    if (line == place->lines.end())
-      place->lines.emplace_back(key, value);
-    else
-      line->second = value;
-  }
-
-
-
-  void
-  RunSummary::add(const std::string &section,
-                  const std::string &key,
-                  const double       value,
-                  const std::string &unit)
+  RunSummary::Section::add(const std::string &key,
+                           const double       value,
+                           const std::string &unit)
   {
     std::ostringstream text;
     text << value << (unit.empty() ? "" : " ") << unit;
-    add(section, key, text.str());
-  }
-
-
-
-  void
-  RunSummary::add_count(const std::string       &section,
-                        const std::string       &key,
-                        const unsigned long long value)
-  {
-    add(section, key, std::to_string(value));
+    add(key, text.str());
   }
 
 
@@ -68,13 +31,14 @@ namespace StickSlip
         width = std::max(width, line.first.size());
 
     for (const Section &section : sections)
-      {
-        out << (&section == &sections.front() ? "" : "\n") << section.name
-            << '\n';
-        for (const auto &[key, value] : section.lines)
-          out << "  " << key << std::string(width - key.size() + 2, ' ')
-              << value << '\n';
-      }
+      if (!section.lines.empty())
+        {
+          out << (&section == &sections.front() ? "" : "\n") << section.name
+              << '\n';
+          for (const auto &[key, value] : section.lines)
+            out << "  " << key << std::string(width - key.size() + 2, ' ')
+                << value << '\n';
+        }
   }
 
 

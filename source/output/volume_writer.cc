@@ -291,16 +291,6 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)            \
-  template std::string write_volume<dim>(     \
-    const std::string &,                      \
-    const unsigned int,                       \
-    const double,                             \
-    const MeshLevel<dim> &,                   \
-    const VolumeNodalValues &,                \
-    const std::vector<VolumeMaterial<dim>> &, \
-    const std::vector<VolumeField> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(write_volume<2>) write_volume<2>;
+  template decltype(write_volume<3>) write_volume<3>;
 } // namespace StickSlip

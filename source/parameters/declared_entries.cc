@@ -23,8 +23,6 @@ namespace StickSlip
     {
       if (description == "[Anything]")
         return "any text";
-      if (FieldPattern::is_described_by(description))
-        return FieldPattern::in_words(description);
       for (const auto &[beginning, choice] :
            {std::make_pair(std::string("[Selection "), "one of: "),
             std::make_pair(std::string("[MultipleSelection "),
@@ -61,8 +59,9 @@ namespace StickSlip
             entry.documentation = child.get<std::string>("documentation");
             const std::string pattern =
               child.get<std::string>("pattern_description");
-            entry.allowed  = in_words(pattern);
-            entry.is_field = FieldPattern::is_described_by(pattern);
+            entry.allowed = in_words(pattern);
+            entry.is_field =
+              pattern.find(FieldPattern::ending) != std::string::npos;
             entries.push_back(entry);
           }
         else

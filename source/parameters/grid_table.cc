@@ -4,6 +4,7 @@
 #include <deal.II/base/function_lib.h>
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/base/make_set.h>
 #include <stickslip/parameters/grid_table.h>
 #include <stickslip/parameters/number_range.h>
 
@@ -38,7 +39,36 @@ namespace StickSlip
       std::vector<unsigned int> axes;
       std::vector<Row>          rows;
 
-      explicit TableText(const std::string &file_name);
+      explicit TableText(const std::string &name)
+        : file_name(name)
+      {
+        if (!std::filesystem::is_regular_file(file_name))
+          throw InputError("the table '" + file_name +
+                           "' does not exist or is not a file.");
+        std::ifstream file(file_name);
+        if (!file)
+          throw InputError("the table '" + file_name + "' cannot be read.");
+
+        unsigned int number = 0;
+        for (std::string line; std::getline(file, line);)
+          {
+            ++number;
+            std::istringstream       text(line.substr(0, line.find('#')));
+            std::vector<std::string> words;
+            for (std::string word; text >> word;)
+              words.push_back(word);
+            if (words.empty())
+              continue;
+            if (axes.empty())
+              read_header(words, number);
+            else
+              read_row(words, number);
+          }
+        if (rows.empty())
+          fail(
+            "there are no values; a line that names the coordinates, such as "
+            "'x y', must be followed by lines with these and a value");
+      }
 
       [[noreturn]] void
       fail(const unsigned int line, const std::string &mistake) const
@@ -55,108 +85,60 @@ namespace StickSlip
 
       void
       read_header(const std::vector<std::string> &words,
-                  const unsigned int              line);
+                  const unsigned int              line)
+      {
+        for (const std::string &word : words)
+          {
+            const std::size_t axis = axis_names.find(word);
+            if (word.size() != 1 || axis == std::string::npos)
+              fail(
+                line,
+                "'" + word +
+                  "' is no coordinate; the first line that is no comment must "
+                  "name those of the table, one to three of x, y and z");
+            if (std::find(axes.begin(), axes.end(), axis) != axes.end())
+              fail(line, "the coordinate " + word + " is named twice");
+            axes.push_back(axis);
+          }
+      }
 
       void
-      read_row(const std::vector<std::string> &words, const unsigned int line);
+      read_row(const std::vector<std::string> &words, const unsigned int line)
+      {
+        if (words.size() != axes.size() + 1)
+          {
+            std::string columns;
+            for (const unsigned int axis : axes)
+              columns += axis_names.substr(axis, 1) + " ";
+            fail(line,
+                 "there are " + std::to_string(words.size()) +
+                   " columns, but must be " + std::to_string(axes.size() + 1) +
+                   ": " + columns + "and the value");
+          }
+
+        Row row;
+        row.line = line;
+        for (unsigned int i = 0; i < words.size(); ++i)
+          {
+            if (!NumberRange().match(words[i]))
+              fail(line, "'" + words[i] + "' is not a number");
+            const double number = NumberRange::values(words[i]).front();
+            (i < axes.size() ? row.position[i] : row.value) = number;
+          }
+        rows.push_back(row);
+      }
 
       /** For example "x = 1, y = 2". */
       std::string
-      description(const std::array<double, 3> &position) const;
+      description(const std::array<double, 3> &position) const
+      {
+        std::string text;
+        for (unsigned int i = 0; i < axes.size(); ++i)
+          text += (i == 0 ? "" : ", ") + axis_names.substr(axes[i], 1) + " = " +
+                  shortest_form(position[i]);
+        return text;
+      }
     };
-
-
-
-    TableText::TableText(const std::string &name)
-      : file_name(name)
-    {
-      if (!std::filesystem::is_regular_file(file_name))
-        throw InputError("the table '" + file_name +
-                         "' does not exist or is not a file.");
-      std::ifstream file(file_name);
-      if (!file)
-        throw InputError("the table '" + file_name + "' cannot be read.");
-
-      unsigned int number = 0;
-      for (std::string line; std::getline(file, line);)
-        {
-          ++number;
-          std::istringstream       text(line.substr(0, line.find('#')));
-          std::vector<std::string> words;
-          for (std::string word; text >> word;)
-            words.push_back(word);
-          if (words.empty())
-            continue;
-          if (axes.empty())
-            read_header(words, number);
-          else
-            read_row(words, number);
-        }
-      if (rows.empty())
-        fail("there are no values; a line that names the coordinates, such as "
-             "'x y', must be followed by lines with these and a value");
-    }
-
-
-
-    void
-    TableText::read_header(const std::vector<std::string> &words,
-                           const unsigned int              line)
-    {
-      for (const std::string &word : words)
-        {
-          const std::size_t axis = axis_names.find(word);
-          if (word.size() != 1 || axis == std::string::npos)
-            fail(line,
-                 "'" + word +
-                   "' is no coordinate; the first line that is no comment must "
-                   "name those of the table, one to three of x, y and z");
-          if (std::find(axes.begin(), axes.end(), axis) != axes.end())
-            fail(line, "the coordinate " + word + " is named twice");
-          axes.push_back(axis);
-        }
-    }
-
-
-
-    void
-    TableText::read_row(const std::vector<std::string> &words,
-                        const unsigned int              line)
-    {
-      if (words.size() != axes.size() + 1)
-        {
-          std::string columns;
-          for (const unsigned int axis : axes)
-            columns += axis_names.substr(axis, 1) + " ";
-          fail(line,
-               "there are " + std::to_string(words.size()) +
-                 " columns, but must be " + std::to_string(axes.size() + 1) +
-                 ": " + columns + "and the value");
-        }
-
-      Row row;
-      row.line = line;
-      for (unsigned int i = 0; i < words.size(); ++i)
-        {
-          if (!NumberRange().match(words[i]))
-            fail(line, "'" + words[i] + "' is not a number");
-          const double number = NumberRange::values(words[i]).front();
-          (i < axes.size() ? row.position[i] : row.value) = number;
-        }
-      rows.push_back(row);
-    }
-
-
-
-    std::string
-    TableText::description(const std::array<double, 3> &position) const
-    {
-      std::string text;
-      for (unsigned int i = 0; i < axes.size(); ++i)
-        text += (i == 0 ? "" : ", ") + axis_names.substr(axes[i], 1) + " = " +
-                shortest_form(position[i]);
-      return text;
-    }
 
 
 
@@ -170,8 +152,7 @@ namespace StickSlip
           std::vector<double> &values = coordinates[i];
           for (const Row &row : table.rows)
             values.push_back(row.position[i]);
-          std::sort(values.begin(), values.end());
-          values.erase(std::unique(values.begin(), values.end()), values.end());
+          make_set(values);
           if (values.size() < 2)
             table.fail("there is only one value of " +
                        axis_names.substr(table.axes[i], 1) +

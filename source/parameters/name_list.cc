@@ -36,12 +36,6 @@ namespace StickSlip
 
 
 
-  NameList::NameList(const unsigned int words_per_name)
-    : words_per_name(words_per_name)
-  {}
-
-
-
   bool
   NameList::match(const std::string &text) const
   {
@@ -63,14 +57,6 @@ namespace StickSlip
     return (words_per_name == 1 ? std::string("names of") :
                                   std::string("names of two words of")) +
            " letters, digits, _ and -, separated by commas";
-  }
-
-
-
-  std::unique_ptr<Patterns::PatternBase>
-  NameList::clone() const
-  {
-    return std::make_unique<NameList>(*this);
   }
 
 

@@ -33,64 +33,6 @@ namespace StickSlip
 
 
 
-  NumberRange &
-  NumberRange::above(const double bound)
-  {
-    lower          = bound;
-    lower_included = false;
-    return *this;
-  }
-
-
-
-  NumberRange &
-  NumberRange::at_least(const double bound)
-  {
-    lower          = bound;
-    lower_included = true;
-    return *this;
-  }
-
-
-
-  NumberRange &
-  NumberRange::below(const double bound)
-  {
-    upper          = bound;
-    upper_included = false;
-    return *this;
-  }
-
-
-
-  NumberRange &
-  NumberRange::at_most(const double bound)
-  {
-    upper          = bound;
-    upper_included = true;
-    return *this;
-  }
-
-
-
-  NumberRange &
-  NumberRange::whole()
-  {
-    only_whole = true;
-    return *this;
-  }
-
-
-
-  NumberRange &
-  NumberRange::times(const unsigned int n)
-  {
-    n_numbers = n;
-    return *this;
-  }
-
-
-
   bool
   NumberRange::contains(const double x) const
   {
@@ -136,14 +78,6 @@ namespace StickSlip
     if (n_numbers > 1)
       words += ", separated by commas";
     return words;
-  }
-
-
-
-  std::unique_ptr<Patterns::PatternBase>
-  NumberRange::clone() const
-  {
-    return std::make_unique<NumberRange>(*this);
   }
 
 

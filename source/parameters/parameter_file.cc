@@ -39,7 +39,43 @@ namespace StickSlip
       {}
 
       std::vector<Assignment>
-      scan();
+      scan()
+      {
+        if (!std::filesystem::is_regular_file(file_name))
+          throw InputError("The parameter file '" + file_name +
+                           "' does not exist or is not a file.");
+        std::ifstream file(file_name);
+        if (!file)
+          throw InputError("The parameter file '" + file_name +
+                           "' cannot be read.");
+
+        std::string statement, line;
+        while (std::getline(file, line))
+          {
+            ++line_number;
+            line = line.substr(0, line.find('#'));
+            std::replace(line.begin(), line.end(), '\t', ' ');
+            line = Utilities::trim(line);
+
+            // A backslash at the end continues the statement on the next line.
+            const bool continues = !line.empty() && line.back() == '\\';
+            if (continues)
+              line.pop_back();
+            statement += (statement.empty() ? "" : " ") + Utilities::trim(line);
+            if (continues)
+              continue;
+            if (!statement.empty())
+              interpret(statement);
+            statement.clear();
+          }
+        if (!statement.empty())
+          interpret(statement);
+
+        if (!sections.empty())
+          throw InputError(file_name + ": the subsection '" + sections.back() +
+                           "' is not closed by an 'end'.");
+        return std::move(assignments);
+      }
 
     private:
       std::string
@@ -49,13 +85,80 @@ namespace StickSlip
       }
 
       void
-      interpret(const std::string &line);
+      interpret(const std::string &line)
+      {
+        const std::string word = line.substr(0, line.find(' '));
+        const std::string rest = Utilities::trim(line.substr(word.size()));
+
+        if (word == "set" || word == "SET")
+          set(rest);
+        else if (word == "include" || word == "INCLUDE")
+          include(rest);
+        else if ((word == "subsection" || word == "SUBSECTION") &&
+                 !rest.empty())
+          sections.push_back(squeeze(rest));
+        else if ((word == "end" || word == "END") && rest.empty())
+          {
+            if (sections.empty())
+              throw InputError(
+                here() + ": 'end' closes a subsection, but none is open.");
+            sections.pop_back();
+          }
+        else
+          throw InputError(
+            here() + ": cannot read '" + line +
+            "'; a line is 'subsection NAME', 'set ENTRY = VALUE', "
+            "'end' or 'include FILE'.");
+      }
 
       void
-      set(const std::string &rest);
+      set(const std::string &rest)
+      {
+        const std::size_t equals = rest.find('=');
+        if (equals == std::string::npos || equals == 0)
+          throw InputError(here() + ": cannot read 'set " + rest +
+                           "'; it must be 'set ENTRY = VALUE'.");
+
+        Assignment assignment;
+        assignment.sections = sections;
+        assignment.entry    = squeeze(rest.substr(0, equals));
+        assignment.value    = Utilities::trim(rest.substr(equals + 1));
+        assignment.origin   = here();
+        assignment.folder =
+          std::filesystem::path(file_name).parent_path().string();
+
+        const auto [earlier, is_new] =
+          line_of.emplace(assignment.path(), line_number);
+        if (!is_new)
+          throw InputError(here() + ": '" + assignment.path() + "' = '" +
+                           assignment.value +
+                           "' is set a second time, first in line " +
+                           std::to_string(earlier->second) +
+                           "; each entry may be set once in a file.");
+        assignments.push_back(assignment);
+      }
 
       void
-      include(const std::string &rest);
+      include(const std::string &rest)
+      {
+        if (rest.empty())
+          throw InputError(here() + ": 'include' names no file.");
+        if (!sections.empty())
+          throw InputError(here() + ": 'include " + rest +
+                           "' must stand outside all subsections.");
+        if (depth > 20)
+          throw InputError(here() + ": 'include " + rest +
+                           "' is nested more than 20 files deep.");
+
+        const std::filesystem::path next_to_this =
+          std::filesystem::path(file_name).parent_path() / rest;
+        if (!std::filesystem::is_regular_file(next_to_this))
+          throw InputError(here() + ": the file '" + next_to_this.string() +
+                           "' to include does not exist.");
+        for (Assignment &assignment :
+             FileScanner(next_to_this.string(), depth + 1).scan())
+          assignments.push_back(std::move(assignment));
+      }
 
       const std::string                   file_name;
       const unsigned int                  depth;
@@ -64,127 +167,6 @@ namespace StickSlip
       std::vector<Assignment>             assignments;
       std::map<std::string, unsigned int> line_of;
     };
-
-
-
-    std::vector<Assignment>
-    FileScanner::scan()
-    {
-      if (!std::filesystem::is_regular_file(file_name))
-        throw InputError("The parameter file '" + file_name +
-                         "' does not exist or is not a file.");
-      std::ifstream file(file_name);
-      if (!file)
-        throw InputError("The parameter file '" + file_name +
-                         "' cannot be read.");
-
-      std::string statement, line;
-      while (std::getline(file, line))
-        {
-          ++line_number;
-          line = line.substr(0, line.find('#'));
-          std::replace(line.begin(), line.end(), '\t', ' ');
-          line = Utilities::trim(line);
-
-          // A backslash at the end continues the statement on the next line.
-          const bool continues = !line.empty() && line.back() == '\\';
-          if (continues)
-            line.pop_back();
-          statement += (statement.empty() ? "" : " ") + Utilities::trim(line);
-          if (continues)
-            continue;
-          if (!statement.empty())
-            interpret(statement);
-          statement.clear();
-        }
-      if (!statement.empty())
-        interpret(statement);
-
-      if (!sections.empty())
-        throw InputError(file_name + ": the subsection '" + sections.back() +
-                         "' is not closed by an 'end'.");
-      return std::move(assignments);
-    }
-
-
-
-    void
-    FileScanner::interpret(const std::string &line)
-    {
-      const std::string word = line.substr(0, line.find(' '));
-      const std::string rest = Utilities::trim(line.substr(word.size()));
-
-      if (word == "set" || word == "SET")
-        set(rest);
-      else if (word == "include" || word == "INCLUDE")
-        include(rest);
-      else if ((word == "subsection" || word == "SUBSECTION") && !rest.empty())
-        sections.push_back(squeeze(rest));
-      else if ((word == "end" || word == "END") && rest.empty())
-        {
-          if (sections.empty())
-            throw InputError(here() +
-                             ": 'end' closes a subsection, but none is open.");
-          sections.pop_back();
-        }
-      else
-        throw InputError(here() + ": cannot read '" + line +
-                         "'; a line is 'subsection NAME', 'set ENTRY = VALUE', "
-                         "'end' or 'include FILE'.");
-    }
-
-
-
-    void
-    FileScanner::set(const std::string &rest)
-    {
-      const std::size_t equals = rest.find('=');
-      if (equals == std::string::npos || equals == 0)
-        throw InputError(here() + ": cannot read 'set " + rest +
-                         "'; it must be 'set ENTRY = VALUE'.");
-
-      Assignment assignment;
-      assignment.sections = sections;
-      assignment.entry    = squeeze(rest.substr(0, equals));
-      assignment.value    = Utilities::trim(rest.substr(equals + 1));
-      assignment.origin   = here();
-      assignment.folder =
-        std::filesystem::path(file_name).parent_path().string();
-
-      const auto [earlier, is_new] =
-        line_of.emplace(assignment.path(), line_number);
-      if (!is_new)
-        throw InputError(here() + ": '" + assignment.path() + "' = '" +
-                         assignment.value +
-                         "' is set a second time, first in line " +
-                         std::to_string(earlier->second) +
-                         "; each entry may be set once in a file.");
-      assignments.push_back(assignment);
-    }
-
-
-
-    void
-    FileScanner::include(const std::string &rest)
-    {
-      if (rest.empty())
-        throw InputError(here() + ": 'include' names no file.");
-      if (!sections.empty())
-        throw InputError(here() + ": 'include " + rest +
-                         "' must stand outside all subsections.");
-      if (depth > 20)
-        throw InputError(here() + ": 'include " + rest +
-                         "' is nested more than 20 files deep.");
-
-      const std::filesystem::path next_to_this =
-        std::filesystem::path(file_name).parent_path() / rest;
-      if (!std::filesystem::is_regular_file(next_to_this))
-        throw InputError(here() + ": the file '" + next_to_this.string() +
-                         "' to include does not exist.");
-      for (Assignment &assignment :
-           FileScanner(next_to_this.string(), depth + 1).scan())
-        assignments.push_back(std::move(assignment));
-    }
   } // namespace
 
 

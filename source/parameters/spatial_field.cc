@@ -59,12 +59,6 @@ namespace StickSlip
 
 
 
-  SpatialField::SpatialField(const double value)
-    : number(value)
-  {}
-
-
-
   SpatialField &
   SpatialField::operator=(const double value)
   {
@@ -110,24 +104,6 @@ namespace StickSlip
     return table               ? keyword + " " + table_file :
            !expression.empty() ? expression :
                                  shortest_form(number);
-  }
-
-
-
-  void
-  SpatialField::describe(const std::string &new_entry,
-                         const NumberRange &new_range)
-  {
-    entry = new_entry;
-    range = new_range;
-  }
-
-
-
-  bool
-  SpatialField::is_constant() const
-  {
-    return !table && expression.empty();
   }
 
 

@@ -37,15 +37,6 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  EquationOfMotion<dim>::has(const Term term) const
-  {
-    return std::find(terms.begin(), terms.end(), term) != terms.end();
-  }
-
-
-
-  template <int dim>
   const BlockMatrix<dim> &
   EquationOfMotion<dim>::term(const Term term) const
   {
@@ -70,51 +61,6 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  EquationOfMotion<dim>::is_coupled() const
-  {
-    return levels != nullptr;
-  }
-
-
-
-  template <int dim>
-  OperatorSum<dim> &
-  EquationOfMotion<dim>::operators()
-  {
-    return *operator_sum;
-  }
-
-
-
-  template <int dim>
-  const OperatorSum<dim> &
-  EquationOfMotion<dim>::operators() const
-  {
-    return *operator_sum;
-  }
-
-
-
-  template <int dim>
-  LevelHierarchy<dim> &
-  EquationOfMotion<dim>::hierarchy()
-  {
-    return *levels;
-  }
-
-
-
-  template <int dim>
-  const LevelHierarchy<dim> &
-  EquationOfMotion<dim>::hierarchy() const
-  {
-    return *levels;
-  }
-
-
-
-  template <int dim>
   NodalVector
   EquationOfMotion<dim>::load(const double time)
   {
@@ -124,43 +70,6 @@ namespace StickSlip
     NodalVector nodal = has_gravity ? gravity_load : space.make_nodal_vector();
     boundary.add_tractions(time, nodal);
     return space.to_dual(nodal);
-  }
-
-
-
-  template <int dim>
-  BoundaryValues<dim> &
-  EquationOfMotion<dim>::boundary_values()
-  {
-    return boundary;
-  }
-
-
-
-  template <int dim>
-  double
-  EquationOfMotion<dim>::longest_ramp() const
-  {
-    return std::max(boundary.longest_ramp(), space.longest_slip_ramp());
-  }
-
-
-
-  template <int dim>
-  const BlockSparsity &
-  EquationOfMotion<dim>::nodal_sparsity() const
-  {
-    return nodal_terms.front().sparsity();
-  }
-
-
-
-  template <int dim>
-  void
-  EquationOfMotion<dim>::clear_operator()
-  {
-    levels.reset();
-    operator_sum.reset();
   }
 
 

@@ -110,11 +110,6 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                 \
-  template struct InitialEquilibrium<dim>;                         \
-  template InitialEquilibrium<dim> solve_initial_equilibrium<dim>( \
-    SpatialProblem<dim> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(solve_initial_equilibrium<2>) solve_initial_equilibrium<2>;
+  template decltype(solve_initial_equilibrium<3>) solve_initial_equilibrium<3>;
 } // namespace StickSlip

@@ -92,23 +92,10 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                             \
-  template Tensor<1, dim - 1> directed_friction<dim>(const FaultNodes<dim> &,  \
-                                                     const NodeLaws &,         \
-                                                     const SystemState<dim> &, \
-                                                     const unsigned int);      \
-  template Tensor<1, dim - 1> shear_traction<dim>(const FaultNodes<dim> &,     \
-                                                  const NodeLaws &,            \
-                                                  const SystemState<dim> &,    \
-                                                  const unsigned int);         \
-  template std::vector<Tensor<1, dim - 1>> balancing_tractions<dim>(           \
-    const FaultNodes<dim> &,                                                   \
-    const NodeLaws &,                                                          \
-    const SystemState<dim> &,                                                  \
-    const BlockMatrix<dim> &,                                                  \
-    const NodalVector &,                                                       \
-    const NodalVector &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(directed_friction<2>)   directed_friction<2>;
+  template decltype(directed_friction<3>)   directed_friction<3>;
+  template decltype(shear_traction<2>)      shear_traction<2>;
+  template decltype(shear_traction<3>)      shear_traction<3>;
+  template decltype(balancing_tractions<2>) balancing_tractions<2>;
+  template decltype(balancing_tractions<3>) balancing_tractions<3>;
 } // namespace StickSlip

@@ -63,12 +63,11 @@ namespace StickSlip
 
 
 
-  template double
-  largest_prescribed_velocity(const SceneParameters<2> &);
-  template double
-  largest_prescribed_velocity(const SceneParameters<3> &);
-  template double
-  event_start_slip_rate(const SceneParameters<2> &);
-  template double
-  event_start_slip_rate(const SceneParameters<3> &);
+  template decltype(largest_prescribed_velocity<2>)
+    largest_prescribed_velocity<2>;
+  template decltype(largest_prescribed_velocity<3>)
+    largest_prescribed_velocity<3>;
+
+  template decltype(event_start_slip_rate<2>) event_start_slip_rate<2>;
+  template decltype(event_start_slip_rate<3>) event_start_slip_rate<3>;
 } // namespace StickSlip

@@ -35,17 +35,20 @@ namespace StickSlip
 
 
 
+    /** The name of an entry and its value. */
+    using Entry = std::pair<std::string, double>;
+
+
+
     void
     check_order(const std::string &section,
-                const std::string &lower_name,
-                const double       lower,
-                const std::string &upper_name,
-                const double       upper)
+                const Entry       &lower,
+                const Entry       &upper)
     {
-      if (lower > upper)
-        throw InputError(naming(section + "/" + lower_name, lower) +
+      if (lower.second > upper.second)
+        throw InputError(naming(section + "/" + lower.first, lower.second) +
                          ": must not be larger than " +
-                         naming(upper_name, upper) + ".");
+                         naming(upper.first, upper.second) + ".");
     }
 
 
@@ -53,23 +56,14 @@ namespace StickSlip
     void
     check_time(const TimeParameters &time)
     {
-      check_order("Time",
-                  "Smallest step",
-                  time.smallest_step,
-                  "Largest step",
-                  time.largest_step);
+      const Entry smallest("Smallest step", time.smallest_step),
+        initial("Initial step", time.initial_step),
+        largest("Largest step", time.largest_step);
+      check_order("Time", smallest, largest);
       if (time.control == StepSizeControl::constant)
         return;
-      check_order("Time",
-                  "Smallest step",
-                  time.smallest_step,
-                  "Initial step",
-                  time.initial_step);
-      check_order("Time",
-                  "Initial step",
-                  time.initial_step,
-                  "Largest step",
-                  time.largest_step);
+      check_order("Time", smallest, initial);
+      check_order("Time", initial, largest);
     }
 
 
@@ -77,16 +71,12 @@ namespace StickSlip
     void
     check_output(const OutputParameters &output, const Inertia inertia)
     {
-      check_order("Output",
-                  "Fault shortest interval",
-                  output.fault_shortest_interval,
-                  "Fault longest interval",
-                  output.fault_longest_interval);
-      check_order("Output",
-                  "Volume shortest interval",
-                  output.volume_shortest_interval,
-                  "Volume longest interval",
-                  output.volume_longest_interval);
+      for (const auto &[name, cadence] :
+           {std::make_pair(std::string("Fault"), output.fault_cadence),
+            std::make_pair(std::string("Volume"), output.volume_cadence)})
+        check_order("Output",
+                    {name + " shortest interval", cadence.shortest_interval},
+                    {name + " longest interval", cadence.longest_interval});
       if (output.write_volume && inertia != Inertia::dynamic &&
           has_field(output.volume_fields, VolumeField::acceleration))
         throw InputError("'Output/Volume fields' lists 'acceleration', which "
@@ -450,12 +440,8 @@ namespace StickSlip
 
 
 
-  template void
-  check_scene(const SceneParameters<2> &);
-  template void
-  check_scene(const SceneParameters<3> &);
-  template void
-  check_process_count(const SceneParameters<2> &, const unsigned int);
-  template void
-  check_process_count(const SceneParameters<3> &, const unsigned int);
+  template decltype(check_scene<2>)         check_scene<2>;
+  template decltype(check_scene<3>)         check_scene<3>;
+  template decltype(check_process_count<2>) check_process_count<2>;
+  template decltype(check_process_count<3>) check_process_count<3>;
 } // namespace StickSlip

@@ -12,12 +12,13 @@ namespace StickSlip
 {
   namespace
   {
-    // The corners and the centre of a brick that is flat along one axis.
+    // The corners and the centre of a brick that is flat along one axis, or
+    // along none if that is dim.
     template <int dim>
     std::vector<Point<dim>>
-    points_of_flat_brick(const Point<dim>  &lower,
-                         const Point<dim>  &upper,
-                         const unsigned int flat_axis)
+    brick_points(const Point<dim>  &lower,
+                 const Point<dim>  &upper,
+                 const unsigned int flat_axis)
     {
       std::vector<Point<dim>> points;
       for (unsigned int corner = 0; corner < (1u << dim); ++corner)
@@ -56,7 +57,7 @@ namespace StickSlip
       upper[axis] = lower[axis];
     else
       lower[axis] = upper[axis];
-    std::vector<Point<dim>> points = points_of_flat_brick(lower, upper, axis);
+    std::vector<Point<dim>> points = brick_points(lower, upper, axis);
     for (Point<dim> &point : points)
       point = body->geometry.sloped(point);
     return points;
@@ -68,17 +69,10 @@ namespace StickSlip
   std::vector<Point<dim>>
   body_points(const BodyGeometry<dim> &body)
   {
-    std::vector<Point<dim>> points;
-    for (unsigned int corner = 0; corner < (1u << dim); ++corner)
-      {
-        Point<dim> point = body.lower_corner();
-        for (unsigned int axis = 0; axis < dim; ++axis)
-          if ((corner >> axis) & 1u)
-            point[axis] = body.upper_corner()[axis];
-        points.push_back(body.sloped(point));
-      }
-    points.push_back(body.sloped(
-      Point<dim>(0.5 * (body.lower_corner() + body.upper_corner()))));
+    std::vector<Point<dim>> points =
+      brick_points(body.lower_corner(), body.upper_corner(), dim);
+    for (Point<dim> &point : points)
+      point = body.sloped(point);
     return points;
   }
 
@@ -105,9 +99,8 @@ namespace StickSlip
         }
 
       // The corners and the centre first, which are easier to read in messages.
-      std::vector<Point<dim>> points =
-        points_of_flat_brick(lower, upper, dim - 1);
-      constexpr unsigned int n_intervals = 20;
+      std::vector<Point<dim>> points      = brick_points(lower, upper, dim - 1);
+      constexpr unsigned int  n_intervals = 20;
       for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1);
            ++i)
         {
@@ -143,16 +136,10 @@ namespace StickSlip
 
 
 
-  template std::vector<Point<2>>
-  side_points(const SceneParameters<2> &, const BoundaryCondition<2> &);
-  template std::vector<Point<3>>
-  side_points(const SceneParameters<3> &, const BoundaryCondition<3> &);
-  template std::vector<Point<2>>
-  body_points(const BodyGeometry<2> &);
-  template std::vector<Point<3>>
-  body_points(const BodyGeometry<3> &);
-  template std::vector<Point<2>>
-  fault_points(const SceneParameters<2> &, const unsigned int);
-  template std::vector<Point<3>>
-  fault_points(const SceneParameters<3> &, const unsigned int);
+  template decltype(side_points<2>)  side_points<2>;
+  template decltype(side_points<3>)  side_points<3>;
+  template decltype(body_points<2>)  body_points<2>;
+  template decltype(body_points<3>)  body_points<3>;
+  template decltype(fault_points<2>) fault_points<2>;
+  template decltype(fault_points<3>) fault_points<3>;
 } // namespace StickSlip

@@ -12,11 +12,11 @@ namespace StickSlip
   {
     template <int dim>
     void
-    change_contact(NodalVector                     &velocity,
-                   std::vector<Tensor<1, dim - 1>> &slip_rate,
-                   const ContactSpace<dim>         &space,
-                   const FaultNodes<dim>           &before,
-                   const FaultNodes<dim>           &now)
+    change_rates(NodalVector                     &velocity,
+                 std::vector<Tensor<1, dim - 1>> &slip_rate,
+                 const ContactSpace<dim>         &space,
+                 const FaultNodes<dim>           &before,
+                 const FaultNodes<dim>           &now)
     {
       NodalVector w = space.make_vector();
       space.to_jumps(w, velocity);
@@ -59,9 +59,9 @@ namespace StickSlip
                  const FaultNodes<dim>   &before,
                  const FaultNodes<dim>   &now)
   {
-    change_contact(state.velocity, state.slip_rate, space, before, now);
+    change_rates(state.velocity, state.slip_rate, space, before, now);
     if (state.mean_velocity.size() > 0)
-      change_contact(
+      change_rates(
         state.mean_velocity, state.mean_slip_rate, space, before, now);
     // Tractions of nodes off contact mean nothing any more.
     for (unsigned int k = 0; k < state.balancing_traction.size(); ++k)
@@ -71,16 +71,8 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                     \
-  template bool has_slid<dim>(const JumpBasis<dim> &,                  \
-                              const std::vector<Tensor<1, dim - 1>> &, \
-                              const std::vector<Tensor<1, dim - 1>> &, \
-                              const double);                           \
-  template void change_contact<dim>(SystemState<dim> &,                \
-                                    const ContactSpace<dim> &,         \
-                                    const FaultNodes<dim> &,           \
-                                    const FaultNodes<dim> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(has_slid<2>)       has_slid<2>;
+  template decltype(has_slid<3>)       has_slid<3>;
+  template decltype(change_contact<2>) change_contact<2>;
+  template decltype(change_contact<3>) change_contact<3>;
 } // namespace StickSlip

@@ -47,16 +47,6 @@ namespace StickSlip
 
 
 
-  template std::vector<FaultSnapshot<2>>
-  make_fault_snapshots(const SystemState<2> &,
-                       const FaultNodes<2> &,
-                       const NodeLaws &,
-                       const JumpBasis<2> &,
-                       const std::vector<std::string> &);
-  template std::vector<FaultSnapshot<3>>
-  make_fault_snapshots(const SystemState<3> &,
-                       const FaultNodes<3> &,
-                       const NodeLaws &,
-                       const JumpBasis<3> &,
-                       const std::vector<std::string> &);
+  template decltype(make_fault_snapshots<2>) make_fault_snapshots<2>;
+  template decltype(make_fault_snapshots<3>) make_fault_snapshots<3>;
 } // namespace StickSlip

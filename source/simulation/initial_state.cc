@@ -112,13 +112,6 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                   \
-  template SystemState<dim> make_initial_state<dim>( \
-    const SceneParameters<dim> &,                    \
-    const JumpBasis<dim> &,                          \
-    const InitialEquilibrium<dim> &,                 \
-    unsigned int &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(make_initial_state<2>) make_initial_state<2>;
+  template decltype(make_initial_state<3>) make_initial_state<3>;
 } // namespace StickSlip

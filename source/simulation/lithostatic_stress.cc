@@ -12,44 +12,23 @@ namespace StickSlip
 {
   namespace
   {
-    /** The weight per area of one body. */
+    /** The mean density of a body over its thickness below or above a point. */
     template <int dim>
-    class ColumnWeight
+    double
+    mean_density(const BodyGeometry<dim>                         &geometry,
+                 const std::function<double(const Point<dim> &)> &density,
+                 Point<dim>                                       point)
     {
-    public:
-      explicit ColumnWeight(const BodyParameters<dim> &body)
-        : geometry(body.geometry)
-        , field(body.material.density)
-        , density(field.template function<dim>(body.material.section))
-        , quadrature(QGauss<1>(2), 200)
-      {}
-
-      /** Its stress below the column over or under a point, Pa, with the
-       * acceleration @p g, m/s^2. */
-      double
-      stress(const double g, Point<dim> point) const
-      {
-        point                  = geometry.within_sides(point);
-        const double thickness = geometry.thickness_at(point);
-        double       mean      = 0.;
-        if (field.is_constant())
-          mean = field.constant();
-        else
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              point[dim - 1] =
-                geometry.base + thickness * quadrature.point(q)[0];
-              mean += density(point) * quadrature.weight(q);
-            }
-        return g * mean * thickness;
-      }
-
-    private:
-      const BodyGeometry<dim>                  &geometry;
-      const SpatialField                       &field;
-      std::function<double(const Point<dim> &)> density;
-      QIterated<1>                              quadrature;
-    };
+      static const QIterated<1> quadrature(QGauss<1>(2), 200);
+      const double              thickness = geometry.thickness_at(point);
+      double                    mean      = 0.;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          point[dim - 1] = geometry.base + thickness * quadrature.point(q)[0];
+          mean += density(point) * quadrature.weight(q);
+        }
+      return mean;
+    }
 
 
 
@@ -59,9 +38,12 @@ namespace StickSlip
     fault_above(const SceneParameters<dim> &scene, const unsigned int body)
     {
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
-        for (const BodySide &part : scene.below_and_above(f)[0])
-          if (part.body == body)
-            return f;
+        {
+          const auto sides = scene.below_and_above(f);
+          for (const BodySide &part : sides[0])
+            if (part.body == body)
+              return f;
+        }
       return {};
     }
   } // namespace
@@ -74,10 +56,11 @@ namespace StickSlip
                      const unsigned int             fault,
                      const std::vector<Point<dim>> &points)
   {
-    const double                   g = -scene.gravity_vector()[dim - 1];
-    std::vector<ColumnWeight<dim>> bodies;
+    const double g = -scene.gravity_vector()[dim - 1];
+    std::vector<std::function<double(const Point<dim> &)>> density;
     for (const BodyParameters<dim> &body : scene.bodies)
-      bodies.emplace_back(body);
+      density.push_back(
+        body.material.density.template function<dim>(body.material.section));
 
     std::vector<double> stress(points.size(), 0.);
     for (unsigned int k = 0; k < points.size(); ++k)
@@ -85,7 +68,14 @@ namespace StickSlip
         {
           const unsigned int body =
             scene.nearest_body(scene.below_and_above(*f)[1], points[k]);
-          stress[k] += bodies[body].stress(g, points[k]);
+          const BodyGeometry<dim> &geometry = scene.bodies[body].geometry;
+          const SpatialField      &field = scene.bodies[body].material.density;
+          const Point<dim>         point = geometry.within_sides(points[k]);
+          stress[k] += g *
+                       (field.is_constant() ?
+                          field.constant() :
+                          mean_density(geometry, density[body], point)) *
+                       geometry.thickness_at(point);
           f = fault_above(scene, body);
         }
     return stress;
@@ -93,12 +83,6 @@ namespace StickSlip
 
 
 
-  template std::vector<double>
-  lithostatic_stress(const SceneParameters<2> &,
-                     const unsigned int,
-                     const std::vector<Point<2>> &);
-  template std::vector<double>
-  lithostatic_stress(const SceneParameters<3> &,
-                     const unsigned int,
-                     const std::vector<Point<3>> &);
+  template decltype(lithostatic_stress<2>) lithostatic_stress<2>;
+  template decltype(lithostatic_stress<3>) lithostatic_stress<3>;
 } // namespace StickSlip

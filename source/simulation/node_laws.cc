@@ -146,12 +146,8 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                    \
-  template NodeLaws make_node_laws<dim>(const SceneParameters<dim> &, \
-                                        const JumpBasis<dim> &);      \
-  template std::vector<SlipRates<dim>> make_slip_rates<dim>(          \
-    const SceneParameters<dim> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(make_node_laws<2>)  make_node_laws<2>;
+  template decltype(make_node_laws<3>)  make_node_laws<3>;
+  template decltype(make_slip_rates<2>) make_slip_rates<2>;
+  template decltype(make_slip_rates<3>) make_slip_rates<3>;
 } // namespace StickSlip

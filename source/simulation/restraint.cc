@@ -36,17 +36,16 @@ namespace StickSlip
 
 
 
-    /** The bodies that can be reached from each other across faults that resist
-     * slip, ascending; the groups in the order of their first bodies. */
+    /** For each body the first one of those that can be reached from it across
+     * faults that resist slip. */
     template <int dim>
-    std::vector<std::vector<unsigned int>>
-    bodies_that_hang_together(const FaultTopology    &topology,
-                              const FaultNodes<dim>  &faults,
-                              const NodeLaws         &laws,
-                              const SystemState<dim> &state)
+    std::vector<unsigned int>
+    first_in_reach(const FaultTopology    &topology,
+                   const FaultNodes<dim>  &faults,
+                   const NodeLaws         &laws,
+                   const SystemState<dim> &state)
     {
-      const unsigned int        n_bodies = topology.body_names().size();
-      std::vector<unsigned int> first(n_bodies);
+      std::vector<unsigned int> first(topology.body_names().size());
       std::iota(first.begin(), first.end(), 0);
       for (unsigned int f = 0; f < topology.faults().size(); ++f)
         if (resists_slip(faults, laws, state, f))
@@ -60,17 +59,7 @@ namespace StickSlip
                   std::replace(first.begin(), first.end(), joined, kept);
                 }
           }
-      std::vector<std::vector<unsigned int>> groups;
-      for (unsigned int k = 0; k < n_bodies; ++k)
-        {
-          groups.emplace_back();
-          for (unsigned int b = k; b < n_bodies; ++b)
-            if (first[b] == k)
-              groups.back().push_back(b);
-          if (groups.back().empty())
-            groups.pop_back();
-        }
-      return groups;
+      return first;
     }
 
 
@@ -106,19 +95,18 @@ namespace StickSlip
   {
     if (scene.time.inertia == Inertia::dynamic)
       return;
-    const std::vector<std::vector<unsigned int>> groups =
-      bodies_that_hang_together(scene.topology, faults, laws, state);
+    const std::vector<unsigned int> first =
+      first_in_reach(scene.topology, faults, laws, state);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-      for (const std::vector<unsigned int> &group : groups)
+      for (unsigned int k = 0; k < first.size(); ++k)
         {
-          if (std::none_of(group.begin(),
-                           group.end(),
-                           [&](const unsigned int body) {
-                             return is_held_by_a_side(scene, body, axis);
-                           }))
+          bool is_held = first[k] != k;
+          for (unsigned int b = k; b < first.size(); ++b)
+            is_held |= first[b] == k && is_held_by_a_side(scene, b, axis);
+          if (!is_held)
             throw InputError(
               "'Time/Inertia' = 'quasi-static': nothing holds the body '" +
-              scene.bodies[group.front()].name + "' along " + "xy"[axis] +
+              scene.bodies[k].name + "' along " + "xy"[axis] +
               ", neither a side with '" + "xy"[axis] +
               " condition' = 'fixed' or 'velocity' nor friction that grows with the "
               "slip rate, "
@@ -130,12 +118,6 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                 \
-  template void check_restraint<dim>(const SceneParameters<dim> &, \
-                                     const FaultNodes<dim> &,      \
-                                     const NodeLaws &,             \
-                                     const SystemState<dim> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(check_restraint<2>) check_restraint<2>;
+  template decltype(check_restraint<3>) check_restraint<3>;
 } // namespace StickSlip

@@ -9,6 +9,7 @@
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/run_record.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -81,9 +82,7 @@ namespace StickSlip
                 event_start_slip_rate(scene),
                 scene.output.event_end_fraction)
     , pvd(directory.file("solution.pvd"))
-    , progress(std::cout,
-               Progress::standard_output_is_terminal(),
-               scene.time.end_time)
+    , progress(std::cout, isatty(STDOUT_FILENO) == 1, scene.time.end_time)
   {
     if (scene.output.time_series_steps > 0)
       time_series =
@@ -105,14 +104,8 @@ namespace StickSlip
     : scene(scene)
     , level(level)
     , communicator(level.nodes.communicator())
-    , fault_cadence(scene.output.fault_slip_rate_factor,
-                    scene.output.fault_slip_interval,
-                    scene.output.fault_shortest_interval,
-                    scene.output.fault_longest_interval)
-    , volume_cadence(scene.output.volume_slip_rate_factor,
-                     scene.output.volume_slip_interval,
-                     scene.output.volume_shortest_interval,
-                     scene.output.volume_longest_interval)
+    , fault_cadence(scene.output.fault_cadence)
+    , volume_cadence(scene.output.volume_cadence)
   {
     carry_out_agreed(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -285,16 +278,16 @@ namespace StickSlip
       if (!files)
         return;
       files->catalogue.finish();
-      RunSummary                    whole  = summary;
-      const std::vector<SlipEvent> &events = files->catalogue.events();
+      RunSummary                    whole   = summary;
+      RunSummary::Section          &section = whole.add_section("Events");
+      const std::vector<SlipEvent> &events  = files->catalogue.events();
       for (const FaultParameters &fault : scene.faults)
-        whole.add_count("Events",
-                        fault.name,
-                        std::count_if(events.begin(),
-                                      events.end(),
-                                      [&](const SlipEvent &event) {
-                                        return event.fault == fault.name;
-                                      }));
+        section.add_count(fault.name,
+                          std::count_if(events.begin(),
+                                        events.end(),
+                                        [&](const SlipEvent &event) {
+                                          return event.fault == fault.name;
+                                        }));
       whole.write(files->directory.file("summary.txt"));
     });
   }

@@ -194,13 +194,8 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                     \
-  template void          write_run_state<dim>(const std::string &,     \
-                                     const RunState<dim> &,   \
-                                     const MeshLevel<dim> &); \
-  template RunState<dim> read_run_state<dim>(const std::string &,      \
-                                             const MeshLevel<dim> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(write_run_state<2>) write_run_state<2>;
+  template decltype(write_run_state<3>) write_run_state<3>;
+  template decltype(read_run_state<2>)  read_run_state<2>;
+  template decltype(read_run_state<3>)  read_run_state<3>;
 } // namespace StickSlip

@@ -1,24 +1,60 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/base/agreement.h>
+#include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/output/interrupt.h>
 #include <stickslip/scene/members_of.h>
-#include <stickslip/simulation/checked_scene.h>
+#include <stickslip/scene/scene_checks.h>
 #include <stickslip/simulation/contact_change.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/restraint.h>
-#include <stickslip/simulation/run_ending.h>
 #include <stickslip/simulation/run_state_file.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/simulation_summary.h>
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** The scene itself, if it runs on that many processes. */
+    template <int dim>
+    const SceneParameters<dim> &
+    checked_scene(const SceneParameters<dim> &scene,
+                  const MPI_Comm             &communicator)
+    {
+      check_process_count(scene, Utilities::MPI::n_mpi_processes(communicator));
+      return scene;
+    }
+
+
+
+    /** The materials of the bodies, if they make sense on the finest meshes. */
+    template <int dim>
+    std::vector<MaterialFields>
+    checked_materials(const SceneParameters<dim> &scene,
+                      const MeshHierarchy<dim>   &meshes,
+                      const MPI_Comm             &communicator)
+    {
+      const std::vector<MaterialFields> materials =
+        members_of(scene.bodies, &BodyParameters<dim>::material);
+      carry_out_agreed(communicator,
+                       [&]() { check_materials(meshes.finest(), materials); });
+      return materials;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Simulation<dim>::Simulation(const SceneParameters<dim> &scene,
                               const MPI_Comm             &communicator)
@@ -61,17 +97,30 @@ namespace StickSlip
       }
     catch (const std::exception &error)
       {
-        if (is_known_to_all(error, communicator))
+        // If only some processes fail, the others are elsewhere in the program
+        // and cannot take part in anything any more.
+        if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
+            dynamic_cast<const AgreedFailure *>(&error) != nullptr)
           finish(error.what());
         throw;
       }
-    const std::string ending = describe_ending(is_finished(), state().time);
-    finish(ending);
-    print_ending(ending,
-                 scene.output.directory,
-                 run_state.steps.largest_error,
-                 scene.time.tolerance,
-                 communicator);
+    std::ostringstream ending;
+    ending << (is_finished() ? "reached the end time" :
+                               "interrupted by the user")
+           << ", t = " << state().time << " s";
+    finish(ending.str());
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        const double error = run_state.steps.largest_error;
+        std::cout << "Run " << ending.str() << ". Results are in "
+                  << scene.output.directory << '.' << std::endl;
+        if (error > scene.time.tolerance)
+          std::cout << "Warning: the estimated error of a time step reached "
+                    << error
+                    << ", more than Time/Tolerance = " << scene.time.tolerance
+                    << ". Steps of one size do not follow the error."
+                    << std::endl;
+      }
     return is_finished();
   }
 
@@ -127,16 +176,6 @@ namespace StickSlip
       run_state.record = record->state();
     write_run_state(file_name, run_state, mesh_hierarchy.finest());
     couple();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::couple()
-  {
-    problem.build_contact(run_state.coupled_displacement);
-    prepare();
   }
 
 
@@ -233,15 +272,6 @@ namespace StickSlip
     change_contact(current, problem, before, faults);
     if (energy)
       energy->restart(current);
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::is_finished() const
-  {
-    return step_size_controller->is_finished(state().time);
   }
 
 

@@ -2,16 +2,229 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <stickslip/scene/members_of.h>
-#include <stickslip/simulation/energy_summary.h>
 #include <stickslip/simulation/simulation_summary.h>
-#include <stickslip/simulation/space_summary.h>
-#include <stickslip/simulation/step_summary.h>
 #include <stickslip/version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace StickSlip
 {
+  namespace
+  {
+    struct MeshFigures
+    {
+      unsigned int n_vertices = 0, n_cells = 0;
+      double       smallest = std::numeric_limits<double>::max(), largest = 0;
+
+      void
+      add_to(RunSummary::Section &section) const
+      {
+        section.add_count("vertices", n_vertices);
+        section.add_count("cells", n_cells);
+        section.add("smallest cell diameter", smallest, "m");
+        section.add("largest cell diameter", largest, "m");
+      }
+    };
+
+
+
+    /** Vertices, cells, and the smallest and largest cell diameter of the
+     * finest mesh of each body and of all, and the number of levels. */
+    template <int dim>
+    void
+    summarise_meshes(RunSummary                     &summary,
+                     const MeshHierarchy<dim>       &meshes,
+                     const std::vector<std::string> &body_names)
+    {
+      MeshFigures           all;
+      const MeshLevel<dim> &finest = meshes.finest();
+      for (unsigned int i = 0; i < finest.bodies.size(); ++i)
+        {
+          const auto &mesh      = finest.bodies[i]->triangulation();
+          const auto  diameters = finest.bodies[i]->cell_diameters();
+          MeshFigures one;
+          one.n_vertices = mesh.n_used_vertices();
+          one.n_cells    = mesh.n_active_cells();
+          one.smallest   = diameters.first;
+          one.largest    = diameters.second;
+          one.add_to(summary.add_section("Mesh of body " + body_names[i]));
+
+          all.n_vertices += one.n_vertices;
+          all.n_cells += one.n_cells;
+          all.smallest = std::min(all.smallest, one.smallest);
+          all.largest  = std::max(all.largest, one.largest);
+        }
+      RunSummary::Section &section = summary.add_section("Mesh of all bodies");
+      all.add_to(section);
+      section.add_count("levels", meshes.n_levels());
+    }
+
+
+
+    /** Unknowns, and the nodes, slave side and contact area of each fault. */
+    template <int dim>
+    void
+    summarise_problem(RunSummary                     &summary,
+                      const SpatialProblem<dim>      &problem,
+                      const std::vector<std::string> &body_names,
+                      const std::vector<std::string> &fault_names)
+    {
+      const LevelDescription<dim> &level    = problem.hierarchy().finest();
+      const auto                   n_all    = level.nodes.n_global() * dim;
+      RunSummary::Section         &unknowns = summary.add_section("Unknowns");
+      unknowns.add_count("all", n_all);
+      unknowns.add_count(
+        "not fixed",
+        n_all - Utilities::MPI::sum(level.fixed.n_masked(level.nodes.n_owned()),
+                                    level.nodes.communicator()));
+      for (unsigned int f = 0; f < fault_names.size(); ++f)
+        {
+          const FaultContact<dim> &contact = problem.jump_basis().faults()[f];
+          RunSummary::Section     &section =
+            summary.add_section("Fault " + fault_names[f]);
+          section.add_count("nodes", contact.slave_nodes.size());
+          std::string slave_bodies;
+          for (const BodySide &part : problem.meshes()
+                                        .topology()
+                                        .faults()[f]
+                                        .sides[contact.sides.slave])
+            slave_bodies +=
+              (slave_bodies.empty() ? "" : ", ") + body_names[part.body];
+          section.add("slave body", slave_bodies);
+          section.add("area in contact",
+                      contact.coupling.covered_area,
+                      dim == 2 ? "m" : "m^2");
+        }
+    }
+
+
+
+    /** Steps and iterations of a run, and nodes under tension, if there were
+     * any. */
+    template <int dim>
+    void
+    summarise_steps(RunSummary           &summary,
+                    const RunState<dim>  &state,
+                    const StepSizeControl control)
+    {
+      const RunCounts       &counts  = state.counts;
+      const StepMemory<dim> &steps   = state.steps;
+      RunSummary::Section   &section = summary.add_section("Steps");
+      section.add_count("accepted", counts.accepted);
+      section.add_count("rejected", steps.n_rejected);
+      section.add_count("solved", steps.n_solved);
+      section.add("smallest step size", counts.smallest_step, "s");
+      section.add("largest step size", counts.largest_step, "s");
+      if (control != StepSizeControl::step_doubling)
+        section.add("largest estimated error", steps.largest_error);
+      section.add_count("contact mappings built", counts.contact_mappings);
+
+      RunSummary::Section &iterations = summary.add_section("Iterations");
+      iterations.add_count("CG at the start", counts.equilibrium_iterations);
+      for (const auto &[key, member] :
+           {std::make_pair("rate-state", &StepCounts::rate_state_iterations),
+            std::make_pair("TNNMG", &StepCounts::tnnmg_iterations),
+            std::make_pair("multigrid cycles", &StepCounts::multigrid_cycles)})
+        {
+          const std::string  name = key;
+          const unsigned int n    = counts.work.*member;
+          iterations.add_count(name + ", accepted steps", n);
+          iterations.add_count(name + ", all steps", steps.work.*member);
+          iterations.add(name + ", per accepted step",
+                         double(n) / std::max(counts.accepted, 1u));
+        }
+
+      RunSummary::Section &faults = summary.add_section("Faults");
+      if (counts.initially_in_tension > 0)
+        faults.add_count("nodes in tension at the start, without friction",
+                         counts.initially_in_tension);
+      if (counts.most_in_tension > 0)
+        faults.add_count("most nodes in tension at a time",
+                         counts.most_in_tension);
+    }
+
+
+
+    /** Kinetic and elastic energy at @p state, the work since the start, those
+     * of them that the model with this @p inertia has, and what is missing
+     * between them, in J, in two dimensions for 1 m of the third one.
+     * Collective. */
+    template <int dim>
+    void
+    summarise_energy(RunSummary               &summary,
+                     const EnergyBalance<dim> &energy,
+                     const SystemState<dim>   &state,
+                     const Inertia             inertia)
+    {
+      const std::string    unit    = (dim == 2) ? "J/m" : "J";
+      RunSummary::Section &section = summary.add_section("Energy");
+      const auto add = [&](const std::string &key, const double value) {
+        section.add(key, value, unit);
+      };
+      const EnergyTerms &work   = energy.work();
+      const double       defect = energy.defect(state);
+      if (inertia == Inertia::dynamic)
+        add("kinetic, at the end", energy.kinetic_energy(state));
+      add("elastic, at the end", energy.elastic_energy(state));
+      add("work of driven sides", work.driven_sides);
+      add("work of gravity and tractions", work.loads);
+      add("dissipated by friction", work.friction);
+      add("dissipated by viscosity", work.viscosity);
+      if (inertia == Inertia::quasi_dynamic)
+        add("dissipated by radiation damping", work.radiation);
+      add("missing", defect);
+
+      const double largest = std::max({std::abs(work.driven_sides),
+                                       std::abs(work.loads),
+                                       work.friction,
+                                       work.viscosity,
+                                       work.radiation});
+      if (largest > 0.)
+        section.add("missing, over the largest work", defect / largest);
+    }
+
+
+
+    /** Wall times of the sections of a program and the memory of all processes;
+     * @p construction: time for meshes and matrices, s; @p hierarchy_bytes:
+     * what the level hierarchy takes on this process, zero if there is none.
+     * Collective. */
+    void
+    summarise_resources(RunSummary        &summary,
+                        const TimerOutput &timer,
+                        const double       construction,
+                        const double       hierarchy_bytes,
+                        const MPI_Comm     communicator)
+    {
+      RunSummary::Section &times = summary.add_section("Wall time");
+      times.add("Meshes and matrices", construction, "s");
+      for (const auto &section :
+           timer.get_summary_data(TimerOutput::total_wall_time))
+        times.add(section.first, section.second, "s");
+      Utilities::System::MemoryStats memory;
+      Utilities::System::get_memory_stats(memory);
+      RunSummary::Section &sizes = summary.add_section("Memory");
+      const auto add_memory = [&](const std::string &key, const double bytes) {
+        sizes.add(key, bytes / 1048576., "MiB");
+      };
+      add_memory("largest resident size",
+                 Utilities::MPI::max(memory.VmHWM * 1024., communicator));
+      add_memory("resident size of all processes",
+                 Utilities::MPI::sum(memory.VmHWM * 1024., communicator));
+      const double of_hierarchy =
+        Utilities::MPI::sum(hierarchy_bytes, communicator);
+      if (of_hierarchy > 0.)
+        add_memory("level hierarchy", of_hierarchy);
+    }
+  } // namespace
+
+
+
   template <int dim>
   RunSummary
   summarise_simulation(const std::string          &ending,
@@ -25,12 +238,11 @@ namespace StickSlip
   {
     RunSummary                     summary;
     const std::vector<std::string> body_names = names_of(scene.bodies);
-    summary.add("Run", "program", std::string("stickslip ") + version);
-    summary.add("Run", "ending", ending);
-    summary.add("Run", "simulated time", state.system.time, "s");
-    summary.add_count("Run",
-                      "processes",
-                      Utilities::MPI::n_mpi_processes(communicator));
+    RunSummary::Section           &run        = summary.add_section("Run");
+    run.add("program", std::string("stickslip ") + version);
+    run.add("ending", ending);
+    run.add("simulated time", state.system.time, "s");
+    run.add_count("processes", Utilities::MPI::n_mpi_processes(communicator));
     summarise_meshes(summary, problem.meshes(), body_names);
     if (problem.is_coupled())
       summarise_problem(summary, problem, body_names, names_of(scene.faults));
@@ -49,16 +261,6 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                            \
-  template RunSummary summarise_simulation<dim>(const std::string &,          \
-                                                const SceneParameters<dim> &, \
-                                                const SpatialProblem<dim> &,  \
-                                                const RunState<dim> &,        \
-                                                const EnergyBalance<dim> *,   \
-                                                const TimerOutput &,          \
-                                                const double,                 \
-                                                const MPI_Comm);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template decltype(summarise_simulation<2>) summarise_simulation<2>;
+  template decltype(summarise_simulation<3>) summarise_simulation<3>;
 } // namespace StickSlip

@@ -8,6 +8,20 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** Size of the next step over that of one with this error. */
+    double
+    growth(const double error, const double tolerance, const bool just_rejected)
+    {
+      const double factor =
+        0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
+      return std::clamp(factor, 0.2, just_rejected ? 1. : 2.);
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<StepResult<dim>>
   EmbeddedControl<dim>::accepted_steps(const SystemState<dim> &state,
@@ -19,55 +33,35 @@ namespace StickSlip
         const double tau = this->limit(memory, state.time, memory.proposed);
         const Prediction<dim> prediction = history.predict(state, tau);
         StepResult<dim> result = this->take(memory, state, tau, &prediction);
-        if (!result.converged)
+        double          factor = 0.5;
+        std::string     reason = result.failure;
+        if (result.converged)
           {
-            memory.proposed      = this->on_grid(tau / 2.);
-            memory.just_rejected = true;
-            this->reject(memory, state.time, memory.proposed, result.failure);
-            continue;
+            const double   tolerance = this->parameters.tolerance;
+            PastState<dim> now       = history.record(result.state);
+            memory.last_error        = history.estimate_error(now);
+            factor = growth(memory.last_error, tolerance, memory.just_rejected);
+            if (memory.last_error <= tolerance)
+              {
+                memory.largest_error =
+                  std::max(memory.largest_error, memory.last_error);
+                // A step cut short by the end of the ramp or of the run says
+                // nothing against the size that was proposed.
+                if (tau >= memory.proposed || factor < 1.)
+                  memory.proposed = this->on_grid(factor * tau);
+                memory.just_rejected = false;
+                history.add(std::move(now));
+                std::vector<StepResult<dim>> accepted;
+                accepted.push_back(std::move(result));
+                return accepted;
+              }
+            reason = "the estimated error stays above Time/Tolerance";
           }
-
-        PastState<dim> now  = history.record(result.state);
-        memory.last_error   = history.estimate_error(now);
-        const double factor = growth(memory.last_error, memory.just_rejected);
-        if (!(memory.last_error <= this->parameters.tolerance))
-          {
-            // Not std::min(factor, 0.5): the factor may be no number.
-            memory.proposed =
-              this->on_grid((factor < 0.5 ? factor : 0.5) * tau);
-            memory.just_rejected = true;
-            this->reject(memory,
-                         state.time,
-                         memory.proposed,
-                         "the estimated error stays above Time/Tolerance");
-            continue;
-          }
-
-        memory.largest_error =
-          std::max(memory.largest_error, memory.last_error);
-        // A step cut short by the end of the ramp or of the run says nothing
-        // against the size that was proposed.
-        if (tau >= memory.proposed || factor < 1.)
-          memory.proposed = this->on_grid(factor * tau);
-        memory.just_rejected = false;
-        history.add(std::move(now));
-        std::vector<StepResult<dim>> accepted;
-        accepted.push_back(std::move(result));
-        return accepted;
+        // Not std::min(factor, 0.5): the factor may be no number.
+        memory.proposed = this->on_grid((factor < 0.5 ? factor : 0.5) * tau);
+        memory.just_rejected = true;
+        this->reject(memory, state.time, memory.proposed, reason);
       }
-  }
-
-
-
-  template <int dim>
-  double
-  EmbeddedControl<dim>::growth(const double error,
-                               const bool   just_rejected) const
-  {
-    const double tolerance = this->parameters.tolerance;
-    const double factor =
-      0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
-    return std::clamp(factor, 0.2, just_rejected ? 1. : 2.);
   }
 
 

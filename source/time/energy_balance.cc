@@ -35,14 +35,6 @@ namespace StickSlip
 
 
 
-  double
-  EnergyTerms::gain() const
-  {
-    return loads + driven_sides - viscosity - friction - radiation;
-  }
-
-
-
   void
   EnergyTerms::add(const double factor, const EnergyTerms &other)
   {
@@ -52,19 +44,6 @@ namespace StickSlip
     friction += factor * other.friction;
     radiation += factor * other.radiation;
   }
-
-
-
-  template <int dim>
-  EnergyBalance<dim>::EnergyBalance(SpatialProblem<dim>   &problem,
-                                    const FaultNodes<dim> &faults,
-                                    const NodeLaws        &laws,
-                                    EnergyAccount         &account)
-    : problem(problem)
-    , faults(faults)
-    , laws(laws)
-    , account(account)
-  {}
 
 
 
@@ -97,36 +76,6 @@ namespace StickSlip
   {
     account.last_time   = state.time;
     account.last_powers = powers(state);
-  }
-
-
-
-  template <int dim>
-  double
-  EnergyBalance<dim>::kinetic_energy(const SystemState<dim> &state) const
-  {
-    return problem.has(SpatialProblem<dim>::mass) ?
-             quadratic_form(SpatialProblem<dim>::mass, state.velocity) :
-             0.;
-  }
-
-
-
-  template <int dim>
-  double
-  EnergyBalance<dim>::elastic_energy(const SystemState<dim> &state) const
-  {
-    return quadratic_form(SpatialProblem<dim>::stiffness, state.displacement);
-  }
-
-
-
-  template <int dim>
-  double
-  EnergyBalance<dim>::defect(const SystemState<dim> &state) const
-  {
-    return kinetic_energy(state) + elastic_energy(state) -
-           account.initial_energy - account.work.gain();
   }
 
 

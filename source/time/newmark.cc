@@ -24,24 +24,6 @@ namespace StickSlip
 
 
   template <int dim>
-  double
-  Newmark<dim>::error_constant(const double tau, const double) const
-  {
-    return tau * tau * tau / 12.;
-  }
-
-
-
-  template <int dim>
-  std::pair<double, double>
-  Newmark<dim>::end_weights(const double tau, const double) const
-  {
-    return {2. / tau, tau / 2.};
-  }
-
-
-
-  template <int dim>
   NodalVector
   Newmark<dim>::known_displacement(const SystemState<dim> &from,
                                    const double            tau) const

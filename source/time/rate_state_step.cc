@@ -330,15 +330,6 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  bool
-  RateStateStep<dim>::is_nested() const
-  {
-    return time_parameters.rate_state_method == RateStateMethod::nested;
-  }
-
-
-
   template class RateStateStep<2>;
   template class RateStateStep<3>;
 } // namespace StickSlip

@@ -34,40 +34,19 @@ namespace StickSlip
 
 
   template <int dim>
-  StepResult<dim>
-  StepDoubling<dim>::large_step(const SystemState<dim> &state,
-                                StepMemory<dim>        &memory,
-                                const double            tau) const
-  {
-    if (!memory.before)
-      return this->take(memory, state, tau);
-    const Prediction<dim> prediction =
-      on_line_through(*memory.before, state, state.time + tau);
-    return this->take(memory, state, tau, &prediction);
-  }
-
-
-
-  template <int dim>
-  StepResult<dim>
-  StepDoubling<dim>::small_step(const SystemState<dim> &start,
-                                const SystemState<dim> &from,
-                                const SystemState<dim> &large,
-                                StepMemory<dim>        &memory,
-                                const double            tau) const
-  {
-    const Prediction<dim> prediction =
-      on_line_through(start, large, from.time + tau);
-    return this->take(memory, from, tau, &prediction);
-  }
-
-
-
-  template <int dim>
   std::vector<StepResult<dim>>
   StepDoubling<dim>::accepted_steps(const SystemState<dim> &state,
                                     StepMemory<dim>        &memory)
   {
+    // A step that begins on the line through two states.
+    const auto take_along = [&](const SystemState<dim> &a,
+                                const SystemState<dim> &b,
+                                const SystemState<dim> &from,
+                                const double            tau) {
+      const Prediction<dim> prediction = on_line_through(a, b, from.time + tau);
+      return this->take(memory, from, tau, &prediction);
+    };
+
     double tau =
       std::min(memory.proposed,
                this->limit(memory, state.time, 2. * memory.proposed) / 2.);
@@ -77,11 +56,13 @@ namespace StickSlip
         StepResult<dim> first, second;
         std::string     reason;
         if (!large)
-          large = large_step(state, memory, 2. * tau);
+          large = memory.before ?
+                    take_along(*memory.before, state, state, 2. * tau) :
+                    this->take(memory, state, 2. * tau);
         if (large->converged)
-          first = small_step(state, state, large->state, memory, tau);
+          first = take_along(state, large->state, state, tau);
         if (first.converged)
-          second = small_step(state, first.state, large->state, memory, tau);
+          second = take_along(state, large->state, first.state, tau);
         if (second.converged)
           {
             std::vector<double> alpha_difference = second.state.alpha;

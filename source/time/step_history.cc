@@ -11,19 +11,6 @@
 namespace StickSlip
 {
   template <int dim>
-  StepHistory<dim>::StepHistory(const FaultNodes<dim>       &faults,
-                                const NodeLaws              &laws,
-                                const TimeScheme<dim>       &scheme,
-                                std::vector<PastState<dim>> &records)
-    : faults(faults)
-    , laws(laws)
-    , scheme(scheme)
-    , records(records)
-  {}
-
-
-
-  template <int dim>
   PastState<dim>
   StepHistory<dim>::record(const SystemState<dim> &state) const
   {
@@ -48,16 +35,6 @@ namespace StickSlip
         result.friction[k] = directed_friction(faults, laws, state, k);
       }
     return result;
-  }
-
-
-
-  template <int dim>
-  void
-  StepHistory<dim>::add(PastState<dim> &&newest)
-  {
-    records.insert(records.begin(), std::move(newest));
-    records.resize(std::min<std::size_t>(records.size(), 3));
   }
 
 

@@ -12,17 +12,6 @@
 namespace StickSlip
 {
   template <int dim>
-  StepSizeController<dim>::StepSizeController(RateStateStep<dim>   &step,
-                                              const TimeParameters &parameters,
-                                              BoundaryValues<dim>  &loads)
-    : step(step)
-    , parameters(parameters)
-    , loads(loads)
-  {}
-
-
-
-  template <int dim>
   std::vector<StepResult<dim>>
   StepSizeController<dim>::advance(const SystemState<dim> &state,
                                    StepMemory<dim>        &memory)
@@ -32,15 +21,6 @@ namespace StickSlip
                           parameters.largest_step :
                           on_grid(parameters.initial_step);
     return accepted_steps(state, memory);
-  }
-
-
-
-  template <int dim>
-  bool
-  StepSizeController<dim>::is_finished(const double time) const
-  {
-    return parameters.end_time - time <= 1e-12 * parameters.end_time;
   }
 
 
@@ -203,13 +183,8 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                       \
-  template class StepSizeController<dim>;                \
-  template std::unique_ptr<StepSizeController<dim>>      \
-  make_step_size_controller<dim>(RateStateStep<dim> &,   \
-                                 const TimeParameters &, \
-                                 BoundaryValues<dim> &);
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template class StepSizeController<2>;
+  template class StepSizeController<3>;
+  template decltype(make_step_size_controller<2>) make_step_size_controller<2>;
+  template decltype(make_step_size_controller<3>) make_step_size_controller<3>;
 } // namespace StickSlip

@@ -31,10 +31,8 @@
  */
 
 #include <deal.II/base/function.h>
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/table_handler.h>
-#include <deal.II/base/timer.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -46,10 +44,7 @@
 
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
-#include <iostream>
-
-#include "../active_set.h"
-#include "../refinement_levels.h"
+#include "../comparison.h"
 
 using namespace dealii;
 using namespace StickSlip;
@@ -152,17 +147,15 @@ class Membrane
 public:
   explicit Membrane(const unsigned int n_refinements);
 
-  // Solve by both methods, from the result of a coarser mesh if there is one,
-  // and add a line to the table.
-  void
-  compare(const Membrane *coarser, TableHandler &table);
-
-private:
   SolveSummary
   solve_by_tnnmg(Vector<double> &u) const;
 
   Examples::ActiveSetSummary
   solve_by_active_set(Vector<double> &u) const;
+
+  // What the table says of the problem itself.
+  void
+  add_columns(TableHandler &table) const;
 
   Triangulation<2>     triangulation;
   const FE_Q<2>        fe;
@@ -170,8 +163,10 @@ private:
   SparsityPattern      sparsity;
   SparseMatrix<double> A;
   Vector<double>       b, solution;
-  IndexSet             boundary;
-  std::vector<double>  heights;
+
+private:
+  IndexSet            boundary;
+  std::vector<double> heights;
 };
 
 
@@ -283,37 +278,9 @@ Membrane::solve_by_active_set(Vector<double> &u) const
 
 
 void
-Membrane::compare(const Membrane *coarser, TableHandler &table)
+Membrane::add_columns(TableHandler &table) const
 {
-  solution.reinit(b.size());
-  if (coarser)
-    Examples::interpolate<1>(coarser->dof_handler,
-                             coarser->solution,
-                             dof_handler,
-                             solution);
-  Vector<double> &u = solution, v = solution;
-
-  Timer              timer;
-  const SolveSummary tnnmg         = solve_by_tnnmg(u);
-  const double       tnnmg_seconds = timer.cpu_time();
-  AssertThrow(tnnmg.converged, ExcMessage("TNNMG did not converge."));
-
-  timer.restart();
-  const Examples::ActiveSetSummary active_set         = solve_by_active_set(v);
-  const double                     active_set_seconds = timer.cpu_time();
-  AssertThrow(active_set.converged,
-              ExcMessage("The active set method did not converge."));
-
-  const double size = std::sqrt(A.matrix_norm_square(v));
-  v -= u;
-  table.add_value("unknowns", dof_handler.n_dofs());
-  table.add_value("TNNMG", static_cast<unsigned int>(tnnmg.iterations.size()));
-  table.add_value("V-cycles", tnnmg.n_cycles());
-  table.add_value("seconds", tnnmg_seconds);
-  table.add_value("active set", active_set.iterations);
-  table.add_value("AMG cycles", active_set.cg_steps);
-  table.add_value("its seconds", active_set_seconds);
-  table.add_value("difference", std::sqrt(A.matrix_norm_square(v)) / size);
+  table.add_value("unknowns", A.m());
 }
 
 
@@ -321,20 +288,5 @@ Membrane::compare(const Membrane *coarser, TableHandler &table)
 int
 main(int argc, char *argv[])
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-
-  const unsigned int finest = argc > 1 ? Utilities::string_to_int(argv[1]) : 6;
-  TableHandler       table;
-  std::unique_ptr<Membrane> coarser;
-  for (unsigned int n_refinements = 1; n_refinements <= finest; ++n_refinements)
-    {
-      auto mesh = std::make_unique<Membrane>(n_refinements);
-      mesh->compare(coarser.get(), table);
-      coarser = std::move(mesh);
-    }
-  table.set_precision("seconds", 3);
-  table.set_precision("its seconds", 3);
-  table.set_scientific("difference", true);
-  table.set_precision("difference", 1);
-  table.write_text(std::cout, TableHandler::org_mode_table);
+  return Examples::compare_on_meshes<1, Membrane>(argc, argv);
 }

@@ -40,10 +40,8 @@
  * Usage: tresca [REFINEMENTS], of a mesh of 8 x 2 cells, 6 without.
  */
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/table_handler.h>
-#include <deal.II/base/timer.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -53,10 +51,7 @@
 
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
-#include <iostream>
-
-#include "../active_set.h"
-#include "../refinement_levels.h"
+#include "../comparison.h"
 
 using namespace dealii;
 using namespace StickSlip;
@@ -156,10 +151,22 @@ class Block
 public:
   explicit Block(const unsigned int n_refinements);
 
-  // Solve by both methods, from the result of a coarser mesh if there is one,
-  // and add a line to the table.
+  SolveSummary
+  solve_by_tnnmg(Vector<double> &u) const;
+
+  Examples::ActiveSetSummary
+  solve_by_active_set(Vector<double> &u) const;
+
+  // What the table says of the problem itself.
   void
-  compare(const Block *coarser, TableHandler &table);
+  add_columns(TableHandler &table) const;
+
+  Triangulation<2>     triangulation;
+  const FE_Q<2>        fe;
+  DoFHandler<2>        dof_handler;
+  SparsityPattern      sparsity;
+  SparseMatrix<double> A;
+  Vector<double>       b, solution;
 
 private:
   void
@@ -169,20 +176,8 @@ private:
   void
   assemble_sides();
 
-  SolveSummary
-  solve_by_tnnmg(Vector<double> &u) const;
-
-  Examples::ActiveSetSummary
-  solve_by_active_set(Vector<double> &u) const;
-
-  Triangulation<2>     triangulation;
-  const FE_Q<2>        fe;
-  DoFHandler<2>        dof_handler;
-  SparsityPattern      sparsity;
-  SparseMatrix<double> A;
-  Vector<double>       b, solution;
-  NodeMask             fixed;
-  std::vector<double>  weights;
+  NodeMask            fixed;
+  std::vector<double> weights;
 };
 
 
@@ -360,42 +355,14 @@ Block::solve_by_active_set(Vector<double> &u) const
 
 
 void
-Block::compare(const Block *coarser, TableHandler &table)
+Block::add_columns(TableHandler &table) const
 {
-  solution.reinit(b.size());
-  if (coarser)
-    Examples::interpolate<2>(coarser->dof_handler,
-                             coarser->solution,
-                             dof_handler,
-                             solution);
-  Vector<double> &u = solution, v = solution;
-
-  Timer              timer;
-  const SolveSummary tnnmg         = solve_by_tnnmg(u);
-  const double       tnnmg_seconds = timer.cpu_time();
-  AssertThrow(tnnmg.converged, ExcMessage("TNNMG did not converge."));
-
-  timer.restart();
-  const Examples::ActiveSetSummary active_set         = solve_by_active_set(v);
-  const double                     active_set_seconds = timer.cpu_time();
-  AssertThrow(active_set.converged,
-              ExcMessage("The active set method did not converge."));
-
   unsigned int n_sticking = 0;
   for (unsigned int i = 0; i < weights.size(); ++i)
-    if (weights[i] > 0. && u(2 * i) == 0.)
+    if (weights[i] > 0. && solution(2 * i) == 0.)
       ++n_sticking;
-  const double size = std::sqrt(A.matrix_norm_square(v));
-  v -= u;
   table.add_value("unknowns", A.m());
   table.add_value("sticking", n_sticking);
-  table.add_value("TNNMG", static_cast<unsigned int>(tnnmg.iterations.size()));
-  table.add_value("V-cycles", tnnmg.n_cycles());
-  table.add_value("seconds", tnnmg_seconds);
-  table.add_value("active set", active_set.iterations);
-  table.add_value("AMG cycles", active_set.cg_steps);
-  table.add_value("its seconds", active_set_seconds);
-  table.add_value("difference", std::sqrt(A.matrix_norm_square(v)) / size);
 }
 
 
@@ -403,20 +370,5 @@ Block::compare(const Block *coarser, TableHandler &table)
 int
 main(int argc, char *argv[])
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-
-  const unsigned int finest = argc > 1 ? Utilities::string_to_int(argv[1]) : 6;
-  TableHandler       table;
-  std::unique_ptr<Block> coarser;
-  for (unsigned int n_refinements = 1; n_refinements <= finest; ++n_refinements)
-    {
-      auto mesh = std::make_unique<Block>(n_refinements);
-      mesh->compare(coarser.get(), table);
-      coarser = std::move(mesh);
-    }
-  table.set_precision("seconds", 3);
-  table.set_precision("its seconds", 3);
-  table.set_scientific("difference", true);
-  table.set_precision("difference", 1);
-  table.write_text(std::cout, TableHandler::org_mode_table);
+  return Examples::compare_on_meshes<2, Block>(argc, argv);
 }

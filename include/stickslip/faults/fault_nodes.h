@@ -43,14 +43,23 @@ namespace StickSlip
 
     /** The fault of a slave node. */
     unsigned int
-    fault(const unsigned int k) const;
+    fault(const unsigned int k) const
+    {
+      return fault_of_node[k];
+    }
 
     /** Local index in nodal vectors of a slave node that this process owns. */
     unsigned int
-    node(const unsigned int k) const;
+    node(const unsigned int k) const
+    {
+      return partition.local_index(nodes[k]);
+    }
 
     bool
-    in_contact(const unsigned int k) const;
+    in_contact(const unsigned int k) const
+    {
+      return active[k];
+    }
 
     /** Integral of the dual basis function, m^(d-1); zero off contact. */
     const std::vector<double> &

@@ -33,7 +33,10 @@ namespace StickSlip
 
     /** True if the stress of any fault follows. */
     bool
-    is_needed() const;
+    is_needed() const
+    {
+      return !follows.empty();
+    }
 
     /** The normal stress that belongs to a contact pressure, Pa; @p before:
      * one that is kept where nothing follows. */

@@ -5,6 +5,9 @@
 #define stickslip_friction_common_parameters_h
 
 #include <stickslip/friction/law_parameter.h>
+#include <stickslip/friction/rate_and_state.h>
+#include <stickslip/friction/state_evolution.h>
+#include <stickslip/parameters/name_list.h>
 
 namespace StickSlip
 {
@@ -15,37 +18,113 @@ namespace StickSlip
   namespace CommonParameters
   {
     /** Direct effect a, without unit. */
-    LawParameter
-    direct_effect();
+    inline LawParameter
+    direct_effect()
+    {
+      return LawParameter::field(
+        "a",
+        "Direct effect a of the slip rate in mu = mu0 + a ln(V/V0) + b "
+        "ln(V0 theta/L)",
+        "1",
+        NumberRange().above(0),
+        RateAndStateParameters().a);
+    }
 
     /** Reference friction coefficient mu0, without unit. */
-    LawParameter
-    reference_friction();
+    inline LawParameter
+    reference_friction()
+    {
+      return LawParameter::field(
+        "Reference friction coefficient",
+        "Friction coefficient mu0 at the reference slip rate",
+        "1",
+        NumberRange().at_least(0),
+        RateAndStateParameters().reference_friction);
+    }
 
     /** Reference slip rate V0, m/s. */
-    LawParameter
-    reference_slip_rate();
+    inline LawParameter
+    reference_slip_rate()
+    {
+      return LawParameter::field("Reference slip rate",
+                                 "Reference slip rate V0",
+                                 "m/s",
+                                 NumberRange().above(0),
+                                 RateAndStateParameters().reference_slip_rate);
+    }
 
     /** Characteristic slip L, m: that of the state, and the measure of an error
      * of the slip. Every kind with friction has it, listed or not. */
-    LawParameter
-    characteristic_slip();
+    inline LawParameter
+    characteristic_slip()
+    {
+      return LawParameter::field(
+        "Characteristic slip",
+        "Slip L over which the state evolves; without a state, the slip that "
+        "matters to the size of the time steps",
+        "m",
+        NumberRange().above(0),
+        RateAndStateParameters().characteristic_slip);
+    }
 
     /** State law, a choice. Every kind with a state has it. */
-    LawParameter
-    state_law();
+    inline LawParameter
+    state_law()
+    {
+      std::vector<std::string> names, descriptions;
+      for (const StateLawKind &kind : state_laws())
+        {
+          names.push_back(kind.name);
+          descriptions.push_back("the " + kind.name + " law (" +
+                                 kind.description + ")");
+        }
+      return LawParameter::choice("State law",
+                                  "Evolution of the state theta: " +
+                                    join_names(descriptions, " or "),
+                                  names);
+    }
 
     /** State theta at the start, s. Every kind with a state has it. */
-    LawParameter
-    initial_state();
+    inline LawParameter
+    initial_state()
+    {
+      return LawParameter::field("Initial state",
+                                 "State theta at the start",
+                                 "s",
+                                 NumberRange().above(0),
+                                 1.);
+    }
 
     /** Prescribed slip rate along a horizontal axis, m/s. */
-    LawParameter
-    slip_rate(const unsigned int axis);
+    inline LawParameter
+    slip_rate(const unsigned int axis)
+    {
+      const std::string name(1, "xy"[axis]);
+      LawParameter      parameter =
+        LawParameter::field("Slip rate along " + name,
+                            "Prescribed slip rate, that of the upper side "
+                            "relative to the lower one along " +
+                              name,
+                            "m/s",
+                            NumberRange(),
+                            0.);
+      parameter.least_dimension = 2 + axis;
+      return parameter;
+    }
 
     /** Time in which the prescribed slip rate grows from zero, s. */
-    LawParameter
-    slip_rate_ramp_length();
+    inline LawParameter
+    slip_rate_ramp_length()
+    {
+      return LawParameter::number(
+        "Slip rate ramp length",
+        "Time in which the prescribed slip rate grows "
+        "smoothly from zero, by half a cosine (0: it "
+        "is there from the start)",
+        "s",
+        NumberRange().at_least(0),
+        0.);
+    }
   } // namespace CommonParameters
 } // namespace StickSlip
 

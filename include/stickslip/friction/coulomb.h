@@ -6,6 +6,8 @@
 
 #include <stickslip/friction/law_registry.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   /**
@@ -26,37 +28,39 @@ namespace StickSlip
     static LawKind
     kind();
 
-    double
-    coefficient(const double V, const double data) const override;
+    /** No friction, as a kind of its own. */
+    static LawKind
+    frictionless_kind();
 
     double
-    derivative(const double V, const double data) const override;
+    coefficient(const double, const double) const override
+    {
+      return mu;
+    }
 
     double
-    potential(const double V, const double data) const override;
+    derivative(const double, const double) const override
+    {
+      return 0.;
+    }
+
+    double
+    potential(const double V, const double) const override
+    {
+      return mu * V;
+    }
 
     double
     minimiser(const double c,
               const double r,
               const double k,
-              const double data) const override;
+              const double) const override
+    {
+      return std::max(0., (r - k * mu) / c);
+    }
 
   private:
     const double mu;
-  };
-
-
-
-  /**
-   * No friction, as a kind of its own.
-   */
-  class FrictionlessLaw : public CoulombLaw
-  {
-  public:
-    explicit FrictionlessLaw(const LawValues &values);
-
-    static LawKind
-    kind();
   };
 } // namespace StickSlip
 

@@ -78,35 +78,25 @@ namespace StickSlip
     set_damping(const std::vector<double> &damping);
 
     /**
-     * The integrals of the slave basis functions.
-     */
-    const std::vector<double> &
-    get_weights() const
-    {
-      return weights;
-    }
-
-    /**
-     * The normal stresses as last set.
-     */
-    const std::vector<double> &
-    get_normal_stresses() const
-    {
-      return normal_stresses;
-    }
-
-    /**
      * The law at term @p k.
      */
     const FrictionLaw &
-    law(const unsigned int k) const;
+    law(const unsigned int k) const
+    {
+      AssertIndexRange(k, terms.size());
+      return *terms[k].law;
+    }
 
     /**
      * The data of the law at term @p k, FrictionLaw::node_data() of its state;
      * ln(Vmin) for rate-and-state friction.
      */
     double
-    law_data(const unsigned int k) const;
+    law_data(const unsigned int k) const
+    {
+      AssertIndexRange(k, terms.size());
+      return terms[k].data;
+    }
 
     /**
      * The slip rate |v_t| of a node's jump of velocity, m/s.
@@ -115,7 +105,10 @@ namespace StickSlip
     slip_rate(const Tensor<1, dim> &v);
 
     const std::vector<unsigned int> &
-    nodes() const override;
+    nodes() const override
+    {
+      return node_indices;
+    }
 
     double
     value(const unsigned int k, const Tensor<1, dim> &v) const override;
@@ -186,9 +179,7 @@ namespace StickSlip
     const std::vector<double>                             weights;
     const std::vector<std::shared_ptr<const FrictionLaw>> laws;
 
-    std::vector<double> normal_stresses;
-    std::vector<double> state;
-    std::vector<Term>   terms;
+    std::vector<Term> terms;
   };
 } // namespace StickSlip
 

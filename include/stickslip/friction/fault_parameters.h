@@ -88,7 +88,10 @@ namespace StickSlip
 
     /** The subsection of its entries, for messages. */
     std::string
-    section() const;
+    section() const
+    {
+      return "Faults/" + name;
+    }
 
     /** The parts that some points fall into: that of the fault itself first,
      * then the regions, each of which may be empty. Throws InputError, see

@@ -30,11 +30,14 @@ namespace StickSlip
     virtual ~FrictionLaw() = default;
 
     /**
-     * Number that the law needs to know of a node with state @p alpha; zero
+     * Number that the law needs to know of a node with state alpha; zero
      * unless a law says something else.
      */
     virtual double
-    node_data(const double alpha) const;
+    node_data(const double) const
+    {
+      return 0.;
+    }
 
     /**
      * The friction coefficient mu(V), dimensionless; at V = 0 the limit from
@@ -51,12 +54,15 @@ namespace StickSlip
 
     /**
      * The slope of the chord of mu between V and the slip rate at which mu has
-     * changed by @p change, or where it has fallen to mu(0) if that comes
-     * first, s/m. Tends to the derivative for small changes, which is what is
-     * returned where a law has nothing better to say.
+     * changed by the second argument, or where it has fallen to mu(0) if that
+     * comes first, s/m. Tends to the derivative for small changes, which is
+     * what is returned where a law has nothing better to say.
      */
     virtual double
-    chord(const double V, const double change, const double data) const;
+    chord(const double V, const double, const double data) const
+    {
+      return derivative(V, data);
+    }
 
     /**
      * Phi(V), m/s.
@@ -70,7 +76,10 @@ namespace StickSlip
      * says something else.
      */
     virtual bool
-    is_smooth(const double V, const double data) const;
+    is_smooth(const double V, const double data) const
+    {
+      return V > 0. || coefficient(0., data) == 0.;
+    }
 
     /**
      * The minimiser V >= 0 of
@@ -96,32 +105,11 @@ namespace StickSlip
      * the slip rate; errors then are those of the slip rate alone.
      */
     virtual double
-    rate_scale() const;
+    rate_scale() const
+    {
+      return 0.;
+    }
   };
-
-
-
-  inline double
-  FrictionLaw::node_data(const double) const
-  {
-    return 0.;
-  }
-
-
-
-  inline double
-  FrictionLaw::rate_scale() const
-  {
-    return 0.;
-  }
-
-
-
-  inline double
-  FrictionLaw::chord(const double V, const double, const double data) const
-  {
-    return derivative(V, data);
-  }
 } // namespace StickSlip
 
 #endif

@@ -35,18 +35,30 @@ namespace StickSlip
 
     /** Parameter that an entry sets; a choice is the position of its word. */
     SpatialField &
-    operator[](const std::string &entry);
+    operator[](const std::string &entry)
+    {
+      return parameters.at(entry);
+    }
 
     const SpatialField &
-    operator[](const std::string &entry) const;
+    operator[](const std::string &entry) const
+    {
+      return parameters.at(entry);
+    }
 
     /** True if friction depends on a state that evolves. */
     bool
-    has_state() const;
+    has_state() const
+    {
+      return chosen_kind->has_state;
+    }
 
     /** True if the slip rate is known, so that no friction acts. */
     bool
-    has_prescribed_slip() const;
+    has_prescribed_slip() const
+    {
+      return !chosen_kind->make_law;
+    }
 
     /** Values of all parameters of the kind at some points. Throws InputError,
      * see SpatialField::function(). */

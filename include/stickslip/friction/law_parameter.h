@@ -42,7 +42,7 @@ namespace StickSlip
 
     /** Words to choose from, for a choice: its value is the position of the
      * word. Empty for a number. */
-    std::vector<std::string> words;
+    std::vector<std::string> words = {};
 
     /** Dimension of the scenes that have the entry, at least. */
     unsigned int least_dimension = 2;
@@ -53,7 +53,10 @@ namespace StickSlip
           const std::string &documentation,
           const std::string &unit,
           const NumberRange &range,
-          const double       default_value);
+          const double       default_value)
+    {
+      return {entry, documentation, unit, range, default_value};
+    }
 
     /** Parameter that is one number for all nodes. */
     static LawParameter
@@ -61,13 +64,19 @@ namespace StickSlip
            const std::string &documentation,
            const std::string &unit,
            const NumberRange &range,
-           const double       default_value);
+           const double       default_value)
+    {
+      return {entry, documentation, unit, range, default_value, false};
+    }
 
     /** Choice among words, of which the first one is the default. */
     static LawParameter
     choice(const std::string              &entry,
            const std::string              &documentation,
-           const std::vector<std::string> &words);
+           const std::vector<std::string> &words)
+    {
+      return {entry, documentation, "", {}, 0., false, words};
+    }
 
     /** Documentation of the entry, with its unit. */
     std::string

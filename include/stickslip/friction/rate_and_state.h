@@ -6,6 +6,8 @@
 
 #include <stickslip/friction/law_registry.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   /**
@@ -63,7 +65,14 @@ namespace StickSlip
     kind();
 
     /**
-     * ln(Vmin / (1 m/s)), where
+     * Friction without a state, mu0 + a ln(V/V0), as a kind of its own: b is
+     * zero.
+     */
+    static LawKind
+    velocity_strengthening_kind();
+
+    /**
+     * Data of a node: ln(Vmin / (1 m/s)), where
      *
      *   ln Vmin = ln V0 - (mu0 + b (alpha + ln(V0/L))) / a
      *
@@ -71,37 +80,33 @@ namespace StickSlip
      * mu = 0.
      */
     double
-    log_minimal_slip_rate(const double alpha) const;
-
-    /**
-     * Data of a node: log_minimal_slip_rate().
-     */
-    double
-    node_data(const double alpha) const override;
+    node_data(const double alpha) const override
+    {
+      return log_vmin_at_zero - parameters.b / parameters.a * alpha;
+    }
 
     double
-    coefficient(const double V,
-                const double log_minimal_slip_rate) const override;
+    coefficient(const double V, const double log_vmin) const override
+    {
+      return parameters.a * scaled_coefficient(V, log_vmin);
+    }
 
     double
-    derivative(const double V,
-               const double log_minimal_slip_rate) const override;
+    derivative(const double V, const double log_vmin) const override;
 
     double
     chord(const double V,
           const double change,
-          const double log_minimal_slip_rate) const override;
+          const double log_vmin) const override;
 
     double
-    potential(const double V,
-              const double log_minimal_slip_rate) const override;
+    potential(const double V, const double log_vmin) const override;
 
     /**
      * True for the arcsinh form, and for V > Vmin in the truncated one.
      */
     bool
-    is_smooth(const double V,
-              const double log_minimal_slip_rate) const override;
+    is_smooth(const double V, const double log_vmin) const override;
 
     /**
      * Truncated: V = r/c up to Vmin, above it by wright_omega(). Arcsinh:
@@ -112,13 +117,16 @@ namespace StickSlip
     minimiser(const double c,
               const double r,
               const double k,
-              const double log_minimal_slip_rate) const override;
+              const double log_vmin) const override;
 
     /**
      * The larger one of a and b.
      */
     double
-    rate_scale() const override;
+    rate_scale() const override
+    {
+      return std::max(parameters.a, parameters.b);
+    }
 
     /**
      * z = mu / a: max(0, ln(V/Vmin)) or asinh(V / (2 Vmin)). Well above Vmin
@@ -126,8 +134,7 @@ namespace StickSlip
      * logarithm it stays regular at V = 0.
      */
     double
-    scaled_coefficient(const double V,
-                       const double log_minimal_slip_rate) const;
+    scaled_coefficient(const double V, const double log_vmin) const;
 
     const RateAndStateParameters &
     get_parameters() const
@@ -146,22 +153,7 @@ namespace StickSlip
     const Regularisation         regularisation;
 
     /** ln V0 - (mu0 + b ln(V0/L)) / a: ln Vmin at alpha = 0. */
-    const double log_minimal_slip_rate_at_zero;
-  };
-
-
-
-  /**
-   * Rate-and-state friction without a state, mu0 + a ln(V/V0), as a kind of its
-   * own: b is zero.
-   */
-  class VelocityStrengtheningLaw : public RateAndStateLaw
-  {
-  public:
-    explicit VelocityStrengtheningLaw(const LawValues &values);
-
-    static LawKind
-    kind();
+    const double log_vmin_at_zero;
   };
 } // namespace StickSlip
 

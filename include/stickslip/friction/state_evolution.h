@@ -55,51 +55,6 @@ namespace StickSlip
 
 
   /**
-   * Dieterich's law, alpha' = exp(-alpha) - V/L. With g = V tau / L:
-   *
-   *   exponential:     theta1 = theta0 exp(-g) + tau (1 - exp(-g)) / g,
-   *   implicit Euler:  alpha1 - alpha0 = tau (exp(-alpha1) - V/L), by
-   *                    wright_omega().
-   */
-  class AgingLaw : public StateLaw
-  {
-  public:
-    double
-    rate(const double alpha, const double V, const double L) const override;
-
-    double
-    updated(const StateUpdate update,
-            const double      alpha,
-            const double      V,
-            const double      L,
-            const double      tau) const override;
-  };
-
-
-
-  /**
-   * Ruina's law, alpha' = -(V/L) (alpha + ln(V/L)). With g = V tau / L:
-   *
-   *   exponential:     alpha1 + ln(V/L) = (alpha0 + ln(V/L)) exp(-g),
-   *   implicit Euler:  alpha1 - alpha0 = -g (alpha1 + ln(V/L)).
-   */
-  class SlipLaw : public StateLaw
-  {
-  public:
-    double
-    rate(const double alpha, const double V, const double L) const override;
-
-    double
-    updated(const StateUpdate update,
-            const double      alpha,
-            const double      V,
-            const double      L,
-            const double      tau) const override;
-  };
-
-
-
-  /**
    * A state law, as the entry 'State law' of a parameter file names it.
    */
   struct StateLawKind
@@ -113,7 +68,21 @@ namespace StickSlip
     std::shared_ptr<const StateLaw> law;
   };
 
-  /** All state laws that a scene may name; the first one is the default. */
+  /**
+   * All state laws that a scene may name; the first one is the default. With
+   * g = V tau / L they are
+   *
+   * - Dieterich's law (aging), alpha' = exp(-alpha) - V/L:
+   *
+   *     exponential:     theta1 = theta0 exp(-g) + tau (1 - exp(-g)) / g,
+   *     implicit Euler:  alpha1 - alpha0 = tau (exp(-alpha1) - V/L), by
+   *                      wright_omega();
+   *
+   * - Ruina's law (slip), alpha' = -(V/L) (alpha + ln(V/L)):
+   *
+   *     exponential:     alpha1 + ln(V/L) = (alpha0 + ln(V/L)) exp(-g),
+   *     implicit Euler:  alpha1 - alpha0 = -g (alpha1 + ln(V/L)).
+   */
   const std::vector<StateLawKind> &
   state_laws();
 } // namespace StickSlip

@@ -4,6 +4,8 @@
 #ifndef stickslip_mechanics_material_h
 #define stickslip_mechanics_material_h
 
+#include <cmath>
+
 namespace StickSlip
 {
   /**
@@ -49,19 +51,32 @@ namespace StickSlip
 
     /** First Lame parameter lambda = E nu / ((1 + nu)(1 - 2 nu)), Pa. */
     double
-    lame_lambda() const;
+    lame_lambda() const
+    {
+      return youngs_modulus * poissons_ratio /
+             ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
+    }
 
     /** Shear modulus mu = E / (2 (1 + nu)), Pa. */
     double
-    shear_modulus() const;
+    shear_modulus() const
+    {
+      return youngs_modulus / (2. * (1. + poissons_ratio));
+    }
 
     /** Bulk modulus kappa = E / (3 (1 - 2 nu)), Pa. */
     double
-    bulk_modulus() const;
+    bulk_modulus() const
+    {
+      return youngs_modulus / (3. * (1. - 2. * poissons_ratio));
+    }
 
     /** Impedance of shear waves sqrt(rho mu), Pa s/m. */
     double
-    shear_impedance() const;
+    shear_impedance() const
+    {
+      return std::sqrt(density * shear_modulus());
+    }
   };
 } // namespace StickSlip
 

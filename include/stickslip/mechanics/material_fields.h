@@ -37,7 +37,14 @@ namespace StickSlip
     MaterialFields() = default;
 
     /** Constant parameters. */
-    MaterialFields(const Material &material);
+    MaterialFields(const Material &material)
+      : youngs_modulus(material.youngs_modulus)
+      , poissons_ratio(material.poissons_ratio)
+      , density(material.density)
+      , shear_viscosity(material.shear_viscosity)
+      , bulk_viscosity(material.bulk_viscosity)
+      , volumetric_strain(material.volumetric_strain)
+    {}
 
     /** True if all parameters are numbers. */
     bool

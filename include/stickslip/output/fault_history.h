@@ -61,9 +61,6 @@ namespace StickSlip
     void
     add(const double time, const std::vector<FaultSnapshot<dim>> &faults);
 
-    unsigned int
-    n_records() const;
-
   private:
     class File;
 

@@ -35,7 +35,11 @@ namespace StickSlip
     Hdf5Handle &
     operator=(const Hdf5Handle &) = delete;
 
-    ~Hdf5Handle();
+    ~Hdf5Handle()
+    {
+      if (id >= 0)
+        close(id);
+    }
 
     operator hid_t() const
     {

@@ -28,12 +28,6 @@ namespace StickSlip
     operator=(const Interrupt &) = delete;
 
     /**
-     * True after a signal to this process.
-     */
-    bool
-    is_requested() const;
-
-    /**
      * True after a signal to any process; the same answer everywhere.
      * Collective.
      */

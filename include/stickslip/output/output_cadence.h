@@ -4,6 +4,8 @@
 #ifndef stickslip_output_output_cadence_h
 #define stickslip_output_output_cadence_h
 
+#include <cmath>
+
 namespace StickSlip
 {
   /**
@@ -25,36 +27,68 @@ namespace StickSlip
   };
 
   /**
+   * How often something is written.
+   */
+  struct CadenceParameters
+  {
+    /** Change of the slip rate, up or down, since the last time. */
+    double slip_rate_factor;
+    /** Slip since the last time, from the slip rate, m; zero: not for this
+     * reason. */
+    double slip_interval;
+    /** Shortest and longest time since the last time, s. */
+    double shortest_interval, longest_interval;
+  };
+
+  /**
    * Decides after which steps something is written: often while the slip rate
-   * changes fast, rarely while nothing happens.
+   * changes fast, rarely while nothing happens. That is when the slip rate has
+   * changed by a factor, or would have made the fault slip far enough, but not
+   * before the shortest interval has passed, and in any case after the longest
+   * one.
    */
   class OutputCadence
   {
   public:
-    /**
-     * Write when the slip rate has changed by @p slip_rate_factor up or down
-     * since the last time, or would have made the fault slip by @p
-     * slip_interval since then (m; zero: never for this reason), but not before
-     * @p shortest_interval has passed, and in any case after @p
-     * longest_interval; both in s.
-     */
-    OutputCadence(const double slip_rate_factor,
-                  const double slip_interval,
-                  const double shortest_interval,
-                  const double longest_interval);
+    explicit OutputCadence(const CadenceParameters &parameters)
+      : parameters(parameters)
+    {}
 
     /**
      * True if it is time to write, at the largest @p slip_rate of any fault in
      * m/s. The first time always.
      */
     bool
-    is_due(const double time, const double slip_rate) const;
+    is_due(const double time, const double slip_rate) const
+    {
+      if (!last.has_written)
+        return true;
+
+      // Times are sums of steps: an interval of ten steps of 0.1 must not last
+      // eleven.
+      const double rounding = 1e-12 * std::abs(time);
+      const double interval = time - last.time + rounding;
+      if (interval >= parameters.longest_interval)
+        return true;
+      if (interval < parameters.shortest_interval)
+        return false;
+      if (parameters.slip_interval > 0. &&
+          slip_rate * interval >= parameters.slip_interval)
+        return true;
+      if (slip_rate == last.slip_rate)
+        return false;
+      return slip_rate >= parameters.slip_rate_factor * last.slip_rate ||
+             slip_rate * parameters.slip_rate_factor <= last.slip_rate;
+    }
 
     /**
      * Take note of something written at this time and slip rate.
      */
     void
-    note_written(const double time, const double slip_rate);
+    note_written(const double time, const double slip_rate)
+    {
+      last = {true, time, slip_rate};
+    }
 
     /**
      * Memory of the last time that something was written.
@@ -69,15 +103,14 @@ namespace StickSlip
      * Go on from another cadence's state.
      */
     void
-    resume(const CadenceState &state);
+    resume(const CadenceState &state)
+    {
+      last = state;
+    }
 
   private:
-    double slip_rate_factor;
-    double slip_interval;
-    double shortest_interval;
-    double longest_interval;
-
-    CadenceState last;
+    CadenceParameters parameters;
+    CadenceState      last;
   };
 } // namespace StickSlip
 

@@ -43,11 +43,33 @@ namespace StickSlip
    * All fields, with their names in the parameter file and in the files that
    * are written.
    */
-  const std::vector<std::pair<FaultField, std::string>> &
-  fault_field_names();
+  inline const std::vector<std::pair<FaultField, std::string>> &
+  fault_field_names()
+  {
+    static const std::vector<std::pair<FaultField, std::string>> names = {
+      {FaultField::slip, "slip"},
+      {FaultField::slip_rate, "slip_rate"},
+      {FaultField::shear_traction, "shear_traction"},
+      {FaultField::normal_stress, "normal_stress"},
+      {FaultField::state, "state"},
+      {FaultField::contact_pressure, "contact_pressure"},
+      {FaultField::contact_weight, "contact_weight"}};
+    return names;
+  }
 
-  const std::vector<std::pair<VolumeField, std::string>> &
-  volume_field_names();
+  inline const std::vector<std::pair<VolumeField, std::string>> &
+  volume_field_names()
+  {
+    static const std::vector<std::pair<VolumeField, std::string>> names = {
+      {VolumeField::displacement, "displacement"},
+      {VolumeField::velocity, "velocity"},
+      {VolumeField::acceleration, "acceleration"},
+      {VolumeField::stress, "stress"},
+      {VolumeField::strain, "strain"},
+      {VolumeField::body, "body"},
+      {VolumeField::material, "material"}};
+    return names;
+  }
 
   /**
    * True if a field is among those asked for.

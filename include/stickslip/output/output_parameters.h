@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <stickslip/output/output_cadence.h>
 #include <stickslip/output/output_fields.h>
 
 #include <string>
@@ -36,28 +37,17 @@ namespace StickSlip
                                             FaultField::normal_stress,
                                             FaultField::state};
 
-    /** Cadence of faults.h5: a record is written when the largest slip rate
-     * of any fault has changed by this factor since the last one. */
-    double fault_slip_rate_factor = 2.;
-    /** Slip since the last record, from the slip rate, m, after which another
-     * one follows; zero: not for this reason. */
-    double fault_slip_interval = 1e-5;
-    /** Shortest time between two records, s. */
-    double fault_shortest_interval = 1e-3;
-    /** Longest time between two records, s. */
-    double fault_longest_interval = 0.5;
+    /** Cadence of faults.h5, by the largest slip rate of any fault. */
+    CadenceParameters fault_cadence = {2., 1e-5, 1e-3, 0.5};
 
-    /** Choice, fields and cadence of the VTU files, in the same units. */
-    bool                     write_volume  = true;
-    std::vector<VolumeField> volume_fields = {VolumeField::displacement,
-                                              VolumeField::velocity,
-                                              VolumeField::stress,
-                                              VolumeField::body,
-                                              VolumeField::material};
-    double                   volume_slip_rate_factor  = 100.;
-    double                   volume_slip_interval     = 1e-4;
-    double                   volume_shortest_interval = 0.05;
-    double                   volume_longest_interval  = 5.;
+    /** Choice, fields and cadence of the VTU files. */
+    bool                     write_volume   = true;
+    std::vector<VolumeField> volume_fields  = {VolumeField::displacement,
+                                               VolumeField::velocity,
+                                               VolumeField::stress,
+                                               VolumeField::body,
+                                               VolumeField::material};
+    CadenceParameters        volume_cadence = {100., 1e-4, 0.05, 5.};
 
     /** An event begins when the mean slip rate of a fault rises above this,
      * m/s; zero: twice the largest prescribed velocity. */

@@ -39,12 +39,6 @@ namespace StickSlip
     void
     finish();
 
-    /**
-     * True if the standard output is a terminal.
-     */
-    static bool
-    standard_output_is_terminal();
-
   private:
     static double
     wall_clock();

@@ -22,7 +22,9 @@ namespace StickSlip
   class PvdRecord
   {
   public:
-    explicit PvdRecord(const std::string &file_name);
+    explicit PvdRecord(const std::string &file_name)
+      : file_name(file_name)
+    {}
 
     /**
      * Add a file that has been written, by its name relative to the list, and
@@ -40,7 +42,10 @@ namespace StickSlip
 
     /** Begin with the files of another list. */
     void
-    resume(const VolumeEntries &entries);
+    resume(const VolumeEntries &entries)
+    {
+      files = entries;
+    }
 
   private:
     std::string   file_name;

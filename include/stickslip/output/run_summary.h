@@ -5,6 +5,7 @@
 #define stickslip_output_run_summary_h
 
 #include <iosfwd>
+#include <list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,29 +14,43 @@ namespace StickSlip
 {
   /**
    * Named sections of lines `key  value`, written with the values aligned, as
-   * in summary.txt. Sections and keys keep the order of their first mention;
-   * a key given again in its section gets the new value.
+   * in summary.txt. Sections and keys keep the order in which they come.
    */
   class RunSummary
   {
   public:
-    void
-    add(const std::string &section,
-        const std::string &key,
-        const std::string &value);
+    struct Section
+    {
+      std::string                                      name;
+      std::vector<std::pair<std::string, std::string>> lines;
 
-    /** A number with six significant digits and its unit, if any. */
-    void
-    add(const std::string &section,
-        const std::string &key,
-        const double       value,
-        const std::string &unit = "");
+      void
+      add(const std::string &key, const std::string &value)
+      {
+        lines.emplace_back(key, value);
+      }
 
-    /** A count, with all its digits. */
-    void
-    add_count(const std::string       &section,
-              const std::string       &key,
-              const unsigned long long value);
+      /** A number with six significant digits and its unit, if any. */
+      void
+      add(const std::string &key,
+          const double       value,
+          const std::string &unit = "");
+
+      /** A count, with all its digits. */
+      void
+      add_count(const std::string &key, const unsigned long long value)
+      {
+        add(key, std::to_string(value));
+      }
+    };
+
+    /** A new section, which stays where it is; left out if it stays empty. */
+    Section &
+    add_section(const std::string &name)
+    {
+      sections.push_back({name, {}});
+      return sections.back();
+    }
 
     void
     print(std::ostream &out) const;
@@ -47,13 +62,7 @@ namespace StickSlip
     write(const std::string &file_name) const;
 
   private:
-    struct Section
-    {
-      std::string                                      name;
-      std::vector<std::pair<std::string, std::string>> lines;
-    };
-
-    std::vector<Section> sections;
+    std::list<Section> sections;
   };
 } // namespace StickSlip
 

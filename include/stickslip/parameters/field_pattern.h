@@ -16,25 +16,31 @@ namespace StickSlip
   class FieldPattern : public Patterns::PatternBase
   {
   public:
-    explicit FieldPattern(const NumberRange &range);
+    /** End of the description() of such a pattern. */
+    static constexpr auto ending = ", an expression in x, y (z), or table FILE";
+
+    explicit FieldPattern(const NumberRange &range)
+      : range(range)
+    {}
 
     virtual bool
-    match(const std::string &text) const override;
+    match(const std::string &text) const override
+    {
+      return !text.empty() && (!NumberRange().match(text) || range.match(text));
+    }
 
-    /** Text for declared_entries(), whatever the @p style. */
+    /** Allowed values, in words, whatever the @p style. */
     virtual std::string
-    description(const OutputStyle style = Machine) const override;
+    description(const OutputStyle style = Machine) const override
+    {
+      return range.description(style) + ending;
+    }
 
     virtual std::unique_ptr<PatternBase>
-    clone() const override;
-
-    /** True for the description() of such a pattern. */
-    static bool
-    is_described_by(const std::string &description);
-
-    /** Allowed values, in words, from the description(). */
-    static std::string
-    in_words(const std::string &description);
+    clone() const override
+    {
+      return std::make_unique<FieldPattern>(*this);
+    }
 
   private:
     const NumberRange range;

@@ -22,7 +22,9 @@ namespace StickSlip
   class NameList : public Patterns::PatternBase
   {
   public:
-    explicit NameList(const unsigned int words_per_name = 1);
+    explicit NameList(const unsigned int words_per_name = 1)
+      : words_per_name(words_per_name)
+    {}
 
     virtual bool
     match(const std::string &text) const override;
@@ -32,7 +34,10 @@ namespace StickSlip
     description(const OutputStyle style = Machine) const override;
 
     virtual std::unique_ptr<PatternBase>
-    clone() const override;
+    clone() const override
+    {
+      return std::make_unique<NameList>(*this);
+    }
 
     /**
      * The names in a list, with any spaces between two words made one.

@@ -26,27 +26,55 @@ namespace StickSlip
   public:
     /** Require x > bound. */
     NumberRange &
-    above(const double bound);
+    above(const double bound)
+    {
+      lower          = bound;
+      lower_included = false;
+      return *this;
+    }
 
     /** Require x >= bound. */
     NumberRange &
-    at_least(const double bound);
+    at_least(const double bound)
+    {
+      lower          = bound;
+      lower_included = true;
+      return *this;
+    }
 
     /** Require x < bound. */
     NumberRange &
-    below(const double bound);
+    below(const double bound)
+    {
+      upper          = bound;
+      upper_included = false;
+      return *this;
+    }
 
     /** Require x <= bound. */
     NumberRange &
-    at_most(const double bound);
+    at_most(const double bound)
+    {
+      upper          = bound;
+      upper_included = true;
+      return *this;
+    }
 
     /** Require whole numbers, written without point and exponent. */
     NumberRange &
-    whole();
+    whole()
+    {
+      only_whole = true;
+      return *this;
+    }
 
     /** Require a list of @p n numbers. */
     NumberRange &
-    times(const unsigned int n);
+    times(const unsigned int n)
+    {
+      n_numbers = n;
+      return *this;
+    }
 
     virtual bool
     match(const std::string &text) const override;
@@ -56,7 +84,10 @@ namespace StickSlip
     description(const OutputStyle style = Machine) const override;
 
     virtual std::unique_ptr<PatternBase>
-    clone() const override;
+    clone() const override
+    {
+      return std::make_unique<NumberRange>(*this);
+    }
 
     /**
      * The numbers in a string that match() accepts.

@@ -19,7 +19,9 @@ namespace StickSlip
   class SpatialField
   {
   public:
-    SpatialField(const double value = 0.);
+    SpatialField(const double value = 0.)
+      : number(value)
+    {}
 
     /** Become a number; entry and range stay. */
     SpatialField &
@@ -42,10 +44,17 @@ namespace StickSlip
      * it may have. Any finite ones if this is never called.
      */
     void
-    describe(const std::string &entry, const NumberRange &range);
+    describe(const std::string &new_entry, const NumberRange &new_range)
+    {
+      entry = new_entry;
+      range = new_range;
+    }
 
     bool
-    is_constant() const;
+    is_constant() const
+    {
+      return !table && expression.empty();
+    }
 
     /** The number; only where the field is constant. */
     double

@@ -9,6 +9,7 @@
 #include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/problem/contact_space.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -47,7 +48,10 @@ namespace StickSlip
 
     /** True if the equation has this term. */
     bool
-    has(const Term term) const;
+    has(const Term term) const
+    {
+      return std::find(terms.begin(), terms.end(), term) != terms.end();
+    }
 
     /** A term that it has, on the finest level in the jump basis. */
     const BlockMatrix<dim> &
@@ -61,41 +65,69 @@ namespace StickSlip
     /** True if there are levels: not after an attempt to make them that has
      * failed. */
     bool
-    is_coupled() const;
+    is_coupled() const
+    {
+      return levels != nullptr;
+    }
 
     /** The operator on the finest level, and its terms. */
     OperatorSum<dim> &
-    operators();
+    operators()
+    {
+      return *operator_sum;
+    }
 
     const OperatorSum<dim> &
-    operators() const;
+    operators() const
+    {
+      return *operator_sum;
+    }
 
     /** The preconditioner. */
     LevelHierarchy<dim> &
-    hierarchy();
+    hierarchy()
+    {
+      return *levels;
+    }
 
     const LevelHierarchy<dim> &
-    hierarchy() const;
+    hierarchy() const
+    {
+      return *levels;
+    }
 
     /** The load at @p time as a dual vector of the jump basis. Collective. */
     NodalVector
     load(const double time);
 
     BoundaryValues<dim> &
-    boundary_values();
+    boundary_values()
+    {
+      return boundary;
+    }
 
     /** The length of the longest ramp of boundary values and slip rates, s. */
     double
-    longest_ramp() const;
+    longest_ramp() const
+    {
+      return std::max(boundary.longest_ramp(), space.longest_slip_ramp());
+    }
 
   protected:
     /** Sparsity of the terms in the nodal basis. */
     const BlockSparsity &
-    nodal_sparsity() const;
+    nodal_sparsity() const
+    {
+      return nodal_terms.front().sparsity();
+    }
 
     /** Remove operator and levels. */
     void
-    clear_operator();
+    clear_operator()
+    {
+      levels.reset();
+      operator_sum.reset();
+    }
 
     /** Make operator and levels; @p product: to the jump basis, @p
      * descriptions: of the levels of the contact space. Collective. */

@@ -11,6 +11,8 @@
 #include <stickslip/time/energy_balance.h>
 #include <stickslip/time/step_memory.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   /**
@@ -33,7 +35,14 @@ namespace StickSlip
 
     /** Take in an accepted step. */
     void
-    add(const double step_size, const StepCounts &of_step);
+    add(const double step_size, const StepCounts &of_step)
+    {
+      smallest_step =
+        accepted == 0 ? step_size : std::min(smallest_step, step_size);
+      largest_step = std::max(largest_step, step_size);
+      work += of_step;
+      ++accepted;
+    }
 
     /** Members to or from a boost archive. */
     template <typename Archive>

@@ -62,7 +62,10 @@ namespace StickSlip
     advance();
 
     bool
-    is_finished() const;
+    is_finished() const
+    {
+      return step_size_controller->is_finished(state().time);
+    }
 
     /** The state reached. */
     const SystemState<dim> &
@@ -112,7 +115,11 @@ namespace StickSlip
   private:
     /** Couple the faults as the run state says, and prepare(). */
     void
-    couple();
+    couple()
+    {
+      problem.build_contact(run_state.coupled_displacement);
+      prepare();
+    }
 
     /** Make everything anew that depends on the contact mapping: at the start,
      * with a new mapping and where a run is resumed. */

@@ -23,11 +23,6 @@ namespace StickSlip
     std::vector<StepResult<dim>>
     accepted_steps(const SystemState<dim> &state,
                    StepMemory<dim>        &memory) override;
-
-  private:
-    /** Size of the next step over that of one with this error. */
-    double
-    growth(const double error, const bool just_rejected) const;
   };
 } // namespace StickSlip
 

@@ -27,7 +27,10 @@ namespace StickSlip
 
     /** Sum of all, as it adds to the kinetic and elastic energy. */
     double
-    gain() const;
+    gain() const
+    {
+      return loads + driven_sides - viscosity - friction - radiation;
+    }
 
     /** *this += factor * other. */
     void
@@ -87,7 +90,12 @@ namespace StickSlip
     EnergyBalance(SpatialProblem<dim>   &problem,
                   const FaultNodes<dim> &faults,
                   const NodeLaws        &laws,
-                  EnergyAccount         &account);
+                  EnergyAccount         &account)
+      : problem(problem)
+      , faults(faults)
+      , laws(laws)
+      , account(account)
+    {}
 
     /** Keep the account from @p state on. Collective, as the next two. */
     void
@@ -111,15 +119,27 @@ namespace StickSlip
 
     /** 1/2 v . M v and 1/2 u . K u, J. Collective. */
     double
-    kinetic_energy(const SystemState<dim> &state) const;
+    kinetic_energy(const SystemState<dim> &state) const
+    {
+      return problem.has(SpatialProblem<dim>::mass) ?
+               quadratic_form(SpatialProblem<dim>::mass, state.velocity) :
+               0.;
+    }
 
     double
-    elastic_energy(const SystemState<dim> &state) const;
+    elastic_energy(const SystemState<dim> &state) const
+    {
+      return quadratic_form(SpatialProblem<dim>::stiffness, state.displacement);
+    }
 
     /** The change of kinetic and elastic energy since the start that is not
      * in work(), J. Collective. */
     double
-    defect(const SystemState<dim> &state) const;
+    defect(const SystemState<dim> &state) const
+    {
+      return kinetic_energy(state) + elastic_energy(state) -
+             account.initial_energy - account.work.gain();
+    }
 
   private:
     /** Powers at one time. */

@@ -27,11 +27,17 @@ namespace StickSlip
 
     /** Constant of the trapezoidal rule, tau^3/12. */
     double
-    error_constant(const double tau, const double last) const override;
+    error_constant(const double tau, const double) const override
+    {
+      return tau * tau * tau / 12.;
+    }
 
   protected:
     std::pair<double, double>
-    end_weights(const double tau, const double last) const override;
+    end_weights(const double tau, const double) const override
+    {
+      return {2. / tau, tau / 2.};
+    }
 
     NodalVector
     known_displacement(const SystemState<dim> &from,

@@ -142,7 +142,10 @@ namespace StickSlip
     contact_pressure(const NodalVector &rhs, const NodalVector &w) const;
 
     bool
-    is_nested() const;
+    is_nested() const
+    {
+      return time_parameters.rate_state_method == RateStateMethod::nested;
+    }
 
     SpatialProblem<dim>                   &problem;
     const FaultNodes<dim>                 &fault_nodes;

@@ -34,19 +34,6 @@ namespace StickSlip
                    StepMemory<dim>        &memory) override;
 
   private:
-    StepResult<dim>
-    large_step(const SystemState<dim> &state,
-               StepMemory<dim>        &memory,
-               const double            tau) const;
-
-    /** From the @p start of the large step or the middle. */
-    StepResult<dim>
-    small_step(const SystemState<dim> &start,
-               const SystemState<dim> &from,
-               const SystemState<dim> &large,
-               StepMemory<dim>        &memory,
-               const double            tau) const;
-
     /** Growth of the difference when tau is doubled. */
     static constexpr double growth = 4.;
   };

@@ -7,6 +7,8 @@
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/step_memory.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   /**
@@ -44,7 +46,12 @@ namespace StickSlip
     StepHistory(const FaultNodes<dim>       &faults,
                 const NodeLaws              &laws,
                 const TimeScheme<dim>       &scheme,
-                std::vector<PastState<dim>> &records);
+                std::vector<PastState<dim>> &records)
+      : faults(faults)
+      , laws(laws)
+      , scheme(scheme)
+      , records(records)
+    {}
 
     /** The memory of a state. */
     PastState<dim>
@@ -52,7 +59,11 @@ namespace StickSlip
 
     /** Take in an accepted state. */
     void
-    add(PastState<dim> &&newest);
+    add(PastState<dim> &&newest)
+    {
+      records.insert(records.begin(), std::move(newest));
+      records.resize(std::min<std::size_t>(records.size(), 3));
+    }
 
     /** Velocity and state a step @p tau after @p state, that of the newest
      * record, whose velocity may follow another contact mapping by now. */

@@ -36,7 +36,11 @@ namespace StickSlip
     /** All must live longer. */
     StepSizeController(RateStateStep<dim>   &step,
                        const TimeParameters &parameters,
-                       BoundaryValues<dim>  &loads);
+                       BoundaryValues<dim>  &loads)
+      : step(step)
+      , parameters(parameters)
+      , loads(loads)
+    {}
 
     virtual ~StepSizeController() = default;
 
@@ -50,7 +54,10 @@ namespace StickSlip
 
     /** True if the end time is reached. */
     bool
-    is_finished(const double time) const;
+    is_finished(const double time) const
+    {
+      return parameters.end_time - time <= 1e-12 * parameters.end_time;
+    }
 
   protected:
     /** The accepted steps of advance(), with a size proposed. */
