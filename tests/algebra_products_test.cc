@@ -2,68 +2,18 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <gtest/gtest.h>
-#include <stickslip/algebra/galerkin_product.h>
 
-#include <random>
-
-#include "serial_matrices.h"
+#include "random_products.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
 
 namespace
 {
-  template <int n_components>
-  struct RandomProblem
-  {
-    std::mt19937                           generator{7};
-    std::uniform_real_distribution<double> number{-1., 1.};
-    unsigned int                           n_fine = 40, n_coarse = 15;
-    std::vector<GlobalRow>                 rows;
-    TransferMatrix                         P;
-    BlockMatrix<n_components>              A;
-    NodeMask                               mask;
-
-    RandomProblem()
-    {
-      rows.resize(n_fine);
-      for (auto &row : rows)
-        for (unsigned int k = 0; k < 3; ++k)
-          row.emplace_back(generator() % n_coarse, number(generator));
-      P = serial_matrix(rows, n_coarse, n_components);
-
-      std::vector<std::vector<unsigned int>> couplings(n_fine);
-      for (auto &row : couplings)
-        for (unsigned int k = 0; k < 6; ++k)
-          row.push_back(generator() % n_fine);
-      A = BlockMatrix<n_components>(
-        std::make_shared<const BlockSparsity>(std::move(couplings)));
-      for (double &value : A.values())
-        value = number(generator);
-
-      mask = NodeMask(n_fine, n_components);
-      mask.mask(3, n_components - 1);
-      mask.mask_node(7);
-      mask.mask(20, 0);
-    }
-
-    GalerkinProduct<n_components>
-    product() const
-    {
-      return GalerkinProduct<n_components>(serial_nodes(n_fine, n_components),
-                                           A.sparsity(),
-                                           rows,
-                                           complete_index_set(n_coarse));
-    }
-  };
-
-
-
   /** A block or scalar matrix as a matrix of the library. */
   struct LibraryMatrix
   {
@@ -88,58 +38,11 @@ namespace
 
 
 
-  template <int n_components>
-  FullMatrix<double>
-  expand(const TransferMatrix &P)
-  {
-    FullMatrix<double> full(P.n_rows() * n_components,
-                            P.n_columns() * n_components);
-    for (unsigned int i = 0; i < P.n_rows(); ++i)
-      for (unsigned int k = P.matrix().row_start[i];
-           k < P.matrix().row_start[i + 1];
-           ++k)
-        for (unsigned int c = 0; c < n_components; ++c)
-          full(i * n_components + c, P.matrix().column[k] * n_components + c) =
-            P.matrix().value[k];
-    return full;
-  }
-
-
-
-  template <int n_components>
-  FullMatrix<double>
-  expand(const BlockMatrix<n_components> &A, const NodeMask *mask = nullptr)
-  {
-    FullMatrix<double>   full(A.n_rows() * n_components,
-                            A.n_rows() * n_components);
-    const BlockSparsity &sparsity = A.sparsity();
-    for (unsigned int i = 0; i < A.n_rows(); ++i)
-      for (unsigned int k = sparsity.row_start[i];
-           k < sparsity.row_start[i + 1];
-           ++k)
-        for (unsigned int c = 0; c < n_components; ++c)
-          for (unsigned int d = 0; d < n_components; ++d)
-            if (!mask || (mask->is_active(i, c) &&
-                          mask->is_active(sparsity.column[k], d)))
-              full(i * n_components + c,
-                   sparsity.column[k] * n_components + d) =
-                A.block(k)[c * n_components + d];
-    return full;
-  }
-
-
-
   /** Products and matrices with blocks of one to three components. */
   template <typename Size>
-  class BlockAlgebra : public testing::Test
-  {
-  public:
-    static constexpr int n_components = Size::value;
-  };
+  class BlockAlgebra : public SomeBlocks<Size>
+  {};
 
-  using BlockSizes = testing::Types<std::integral_constant<int, 1>,
-                                    std::integral_constant<int, 2>,
-                                    std::integral_constant<int, 3>>;
   TYPED_TEST_SUITE(BlockAlgebra, BlockSizes);
 } // namespace
 

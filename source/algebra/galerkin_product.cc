@@ -54,6 +54,52 @@ namespace StickSlip
 
 
 
+    /** C += A B for blocks row by row. */
+    template <int n, typename Number>
+    void
+    add_product(const double *A, const Number *B, double *C)
+    {
+      for (int c = 0; c < n; ++c)
+        for (int e = 0; e < n; ++e)
+          for (int d = 0; d < n; ++d)
+            C[c * n + d] += A[c * n + e] * B[e * n + d];
+    }
+
+
+
+    /** The block A becomes R^T A: its rows, vectors in space before, follow
+     * the axes R. */
+    template <int n>
+    void
+    turn_rows(double *A, const double *R)
+    {
+      double result[n * n] = {};
+      for (int c = 0; c < n; ++c)
+        for (int e = 0; e < n; ++e)
+          for (int d = 0; d < n; ++d)
+            result[c * n + d] += R[e * n + c] * A[e * n + d];
+      std::copy_n(result, n * n, A);
+    }
+
+
+
+    /** The block A becomes A R^T, whose columns are in space, or A R, whose
+     * columns follow the axes R. */
+    template <int n, bool to_space>
+    void
+    turn_columns(double *A, const double *R)
+    {
+      double result[n * n] = {};
+      for (int c = 0; c < n; ++c)
+        for (int d = 0; d < n; ++d)
+          for (int e = 0; e < n; ++e)
+            result[c * n + d] +=
+              A[c * n + e] * (to_space ? R[d * n + e] : R[e * n + d]);
+      std::copy_n(result, n * n, A);
+    }
+
+
+
     /**
      * The rows of ghost nodes as lists of global numbers, each after the
      * number of the node, sent to the owners; returns what is received.
@@ -85,10 +131,12 @@ namespace StickSlip
 
   template <int n_components>
   GalerkinProduct<n_components>::GalerkinProduct(
-    const NodePartition          &fine_nodes,
-    const BlockSparsity          &fine,
-    const std::vector<GlobalRow> &prolongation,
-    const IndexSet               &owned_coarse)
+    const NodePartition            &fine_nodes,
+    const BlockSparsity            &fine,
+    const std::vector<GlobalRow>   &prolongation,
+    const IndexSet                 &owned_coarse,
+    const LocalFrames              &fine_frames,
+    const NodeFrames<n_components> &coarse_frames)
     : row_position(fine_nodes.n_local(), -1)
   {
     AssertDimension(prolongation.size(), fine_nodes.n_local());
@@ -98,11 +146,18 @@ namespace StickSlip
       for (const auto &entry : row)
         if (!owned_coarse.is_element(entry.first))
           ghosts.push_back(entry.first);
-    nodes    = NodePartition(owned_coarse,
-                          make_index_set(owned_coarse.size(), ghosts),
-                          n_components,
-                          communicator);
-    transfer = TransferMatrix(prolongation, fine_nodes, nodes);
+    const auto set_coarse_nodes = [&]() {
+      nodes    = NodePartition(owned_coarse,
+                            make_index_set(owned_coarse.size(), ghosts),
+                            n_components,
+                            communicator);
+      transfer = TransferMatrix(prolongation,
+                                fine_nodes,
+                                nodes,
+                                fine_frames,
+                                coarse_frames.local_part(nodes));
+    };
+    set_coarse_nodes();
     std::vector<std::vector<unsigned int>> rows =
       symbolic_product(fine, transfer);
 
@@ -115,11 +170,7 @@ namespace StickSlip
             if (!owned_coarse.is_element(column))
               ghosts.push_back(column);
         const NodePartition provisional = nodes;
-        nodes                           = NodePartition(owned_coarse,
-                              make_index_set(owned_coarse.size(), ghosts),
-                              n_components,
-                              communicator);
-        transfer = TransferMatrix(prolongation, fine_nodes, nodes);
+        set_coarse_nodes();
         std::vector<std::vector<unsigned int>> renumbered(nodes.n_local());
         for (unsigned int I = 0; I < rows.size(); ++I)
           for (const unsigned int J : rows[I])
@@ -276,6 +327,25 @@ namespace StickSlip
   GalerkinProduct<n_components>::compute_row(
     const BlockMatrix<n_components, FineNumber> &fine,
     const NodeMask                              &fine_mask,
+    const unsigned int                           row,
+    const BlockSparsity                         &target,
+    const unsigned int                           target_row,
+    TargetNumber                                *values)
+  {
+    if (transfer.row_frames().empty() && transfer.column_frames().empty())
+      compute_row_with<false>(fine, fine_mask, row, target, target_row, values);
+    else
+      compute_row_with<true>(fine, fine_mask, row, target, target_row, values);
+  }
+
+
+
+  template <int n_components>
+  template <bool with_frames, typename FineNumber, typename TargetNumber>
+  void
+  GalerkinProduct<n_components>::compute_row_with(
+    const BlockMatrix<n_components, FineNumber> &fine,
+    const NodeMask                              &fine_mask,
     const unsigned int                           I,
     const BlockSparsity                         &target,
     const unsigned int                           target_row,
@@ -303,7 +373,35 @@ namespace StickSlip
     for (unsigned int k = Pt.row_start[I]; k < Pt.row_start[I + 1]; ++k)
       {
         const unsigned int i = Pt.column[k];
-        double             weight[n];
+        if constexpr (with_frames)
+          if (const double *axes = transfer.row_frames().find(i))
+            {
+              // Masked rows of R S A, in the axes of space.
+              double weight[n];
+              for (unsigned int c = 0; c < n_components; ++c)
+                for (unsigned int d = 0; d < n_components; ++d)
+                  weight[c * n_components + d] =
+                    fine_mask.is_active(i, d) ?
+                      Pt.value[k] * axes[c * n_components + d] :
+                      0.;
+              for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
+                {
+                  const unsigned int j = A.column[m];
+                  if (position[j] < 0)
+                    {
+                      position[j]             = n_fine_columns;
+                      columns[n_fine_columns] = j;
+                      std::fill_n(sums + std::size_t(n_fine_columns) * n,
+                                  n,
+                                  0.);
+                      ++n_fine_columns;
+                    }
+                  add_product<n_components>(
+                    weight, fine.block(m), sums + std::size_t(position[j]) * n);
+                }
+              continue;
+            }
+        double weight[n];
         for (unsigned int c = 0; c < n_components; ++c)
           for (unsigned int d = 0; d < n_components; ++d)
             weight[c * n_components + d] =
@@ -349,12 +447,28 @@ namespace StickSlip
             if (!fine_mask.is_active(j, d))
               for (unsigned int c = 0; c < n_components; ++c)
                 sum[c * n_components + d] = 0.;
+        if constexpr (with_frames)
+          if (const double *axes = transfer.row_frames().find(j))
+            turn_columns<n_components, /*to_space=*/true>(sum, axes);
         for (unsigned int q = P.row_start[j]; q < P.row_start[j + 1]; ++q)
           {
             double      *entry  = result + std::size_t(place[P.column[q]]) * n;
             const double weight = P.value[q];
             for (unsigned int c = 0; c < n; ++c)
               entry[c] += weight * sum[c];
+          }
+      }
+    if constexpr (with_frames)
+      {
+        const LocalFrames &frames = transfer.column_frames();
+        const double      *axes   = frames.find(I);
+        for (unsigned int k = 0; k < size; ++k)
+          {
+            double *entry = result + std::size_t(k) * n;
+            if (axes != nullptr)
+              turn_rows<n_components>(entry, axes);
+            if (const double *axes_J = frames.find(target.column[first + k]))
+              turn_columns<n_components, /*to_space=*/false>(entry, axes_J);
           }
       }
     std::copy(coarse_values.begin(),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace StickSlip
 {
@@ -38,16 +39,40 @@ namespace StickSlip
 
 
 
-    /** The first @p n_rows rows of y = A x or y += A x, with a fixed number of
+    /** The rows that have axes of their own or a column that has. */
+    std::vector<unsigned int>
+    find_turned_rows(const TransferMatrix::Compressed &A,
+                     const unsigned int                n_rows,
+                     const LocalFrames                &row_frames,
+                     const LocalFrames                &column_frames)
+    {
+      std::vector<unsigned int> turned;
+      if (row_frames.empty() && column_frames.empty())
+        return turned;
+      for (unsigned int i = 0; i < n_rows; ++i)
+        if (row_frames.find(i) != nullptr ||
+            std::any_of(A.column.begin() + A.row_start[i],
+                        A.column.begin() + A.row_start[i + 1],
+                        [&](const unsigned int j) {
+                          return column_frames.find(j) != nullptr;
+                        }))
+          turned.push_back(i);
+      return turned;
+    }
+
+
+
+    /** The rows begin <= i < end of y = A x or y += A x, with a fixed number of
      * components. */
     template <int components, bool add, typename Number>
     void
     multiply(const TransferMatrix::Compressed &A,
-             const unsigned int                n_rows,
+             const unsigned int                begin,
+             const unsigned int                end,
              const Number                     *x,
              Number                           *y)
     {
-      for (unsigned int i = 0; i < n_rows; ++i)
+      for (unsigned int i = begin; i < end; ++i)
         {
           Number sum[components] = {};
           for (unsigned int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
@@ -64,24 +89,78 @@ namespace StickSlip
 
 
 
+    /** The row i of y = R^T A Q x, or += that, with the axes R of rows and Q of
+     * columns. */
+    template <int components, bool add, typename Number>
+    void
+    multiply_turned_row(const TransferMatrix::Compressed &A,
+                        const unsigned int                i,
+                        const LocalFrames                &row_frames,
+                        const LocalFrames                &column_frames,
+                        const Number                     *x,
+                        Number                           *y)
+    {
+      double in_space[components] = {};
+      for (unsigned int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+        {
+          const Number *x_j = x + std::size_t(A.column[k]) * components;
+          if (const double *Q = column_frames.find(A.column[k]))
+            for (int c = 0; c < components; ++c)
+              for (int d = 0; d < components; ++d)
+                in_space[c] += A.value[k] * Q[c * components + d] * x_j[d];
+          else
+            for (int c = 0; c < components; ++c)
+              in_space[c] += A.value[k] * x_j[c];
+        }
+      const double *R   = row_frames.find(i);
+      Number       *y_i = y + std::size_t(i) * components;
+      for (int c = 0; c < components; ++c)
+        {
+          double value = (R == nullptr ? in_space[c] : 0.);
+          if (R != nullptr)
+            for (int d = 0; d < components; ++d)
+              value += R[d * components + c] * in_space[d];
+          y_i[c] = (add ? Number(y_i[c] + value) : Number(value));
+        }
+    }
+
+
+
+    /** The first @p n_rows rows of y = R^T A Q x or y += R^T A Q x, where only
+     * those that are @p turned depend on the axes. */
     template <bool add, typename Number>
     void
     multiply(const TransferMatrix::Compressed &A,
              const unsigned int                n_rows,
+             const std::vector<unsigned int>  &turned,
+             const LocalFrames                &row_frames,
+             const LocalFrames                &column_frames,
              const NodeValues<Number>         &x,
              NodeValues<Number>               &y,
              const unsigned int                components)
     {
+      const auto multiply_all = [&](const auto size) {
+        constexpr int n     = decltype(size)::value;
+        unsigned int  begin = 0;
+        for (const unsigned int i : turned)
+          {
+            multiply<n, add>(A, begin, i, x.begin(), y.begin());
+            multiply_turned_row<n, add>(
+              A, i, row_frames, column_frames, x.begin(), y.begin());
+            begin = i + 1;
+          }
+        multiply<n, add>(A, begin, n_rows, x.begin(), y.begin());
+      };
       switch (components)
         {
           case 1:
-            multiply<1, add>(A, n_rows, x.begin(), y.begin());
+            multiply_all(std::integral_constant<int, 1>());
             break;
           case 2:
-            multiply<2, add>(A, n_rows, x.begin(), y.begin());
+            multiply_all(std::integral_constant<int, 2>());
             break;
           case 3:
-            multiply<3, add>(A, n_rows, x.begin(), y.begin());
+            multiply_all(std::integral_constant<int, 3>());
             break;
           default:
             Assert(false, ExcMessage("One to three components a node."));
@@ -93,8 +172,12 @@ namespace StickSlip
 
   TransferMatrix::TransferMatrix(const std::vector<GlobalRow> &rows,
                                  const NodePartition          &fine,
-                                 const NodePartition          &coarse)
+                                 const NodePartition          &coarse,
+                                 const LocalFrames            &row_frames,
+                                 const LocalFrames            &column_frames)
     : n_owned_rows(fine.n_owned())
+    , frames_of_rows(row_frames)
+    , frames_of_columns(column_frames)
   {
     Assert(rows.size() == fine.n_owned() || rows.size() == fine.n_local(),
            ExcDimensionMismatch(rows.size(), fine.n_local()));
@@ -102,6 +185,10 @@ namespace StickSlip
     for (const GlobalRow &row : rows)
       append_row(row, coarse);
     by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
+    turned_rows =
+      find_turned_rows(by_row, n_owned_rows, row_frames, column_frames);
+    turned_columns =
+      find_turned_rows(by_column, n_columns(), column_frames, row_frames);
   }
 
 
@@ -156,7 +243,14 @@ namespace StickSlip
                              const unsigned int        components) const
   {
     update_ghosts(coarse);
-    multiply<false>(by_row, n_owned_rows, coarse, fine, components);
+    multiply<false>(by_row,
+                    n_owned_rows,
+                    turned_rows,
+                    frames_of_rows,
+                    frames_of_columns,
+                    coarse,
+                    fine,
+                    components);
   }
 
 
@@ -168,7 +262,14 @@ namespace StickSlip
                                  const unsigned int        components) const
   {
     update_ghosts(coarse);
-    multiply<true>(by_row, n_owned_rows, coarse, fine, components);
+    multiply<true>(by_row,
+                   n_owned_rows,
+                   turned_rows,
+                   frames_of_rows,
+                   frames_of_columns,
+                   coarse,
+                   fine,
+                   components);
   }
 
 
@@ -180,7 +281,14 @@ namespace StickSlip
                               const unsigned int        components) const
   {
     // The owned fine nodes' shares, to own coarse nodes and to ghosts.
-    multiply<false>(by_column, n_columns(), fine, coarse, components);
+    multiply<false>(by_column,
+                    n_columns(),
+                    turned_columns,
+                    frames_of_columns,
+                    frames_of_rows,
+                    fine,
+                    coarse,
+                    components);
     add_ghosts_to_owners(coarse);
   }
 
@@ -192,7 +300,8 @@ namespace StickSlip
     return 2 *
              (by_row.column.size() * (sizeof(unsigned int) + sizeof(double))) +
            sizeof(unsigned int) *
-             (by_row.row_start.size() + by_column.row_start.size());
+             (by_row.row_start.size() + by_column.row_start.size() +
+              turned_rows.size() + turned_columns.size());
   }
 
 

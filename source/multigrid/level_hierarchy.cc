@@ -39,6 +39,14 @@ namespace StickSlip
     AssertThrow(coarsest.n_owned() == 0 ||
                   coarsest.n_owned() == coarsest.n_global(),
                 ExcMessage("The coarsest level must belong to one process."));
+    for (unsigned int l = 1; l < levels.size(); ++l)
+      {
+        const TransferMatrix &P = levels[l].to_coarser->prolongation();
+        AssertThrow(P.row_frames() == levels[l].frames &&
+                      P.column_frames() == levels[l - 1].frames,
+                    ExcMessage("Transfers and levels must have the same axes "
+                               "of nodes."));
+      }
   }
 
 
@@ -246,8 +254,11 @@ namespace StickSlip
   {
     std::size_t bytes = A.memory_consumption();
     for (const LevelDescription<n_components> &level : levels)
-      if (level.to_coarser)
-        bytes += level.to_coarser->memory_consumption();
+      {
+        bytes += level.frames.memory_consumption();
+        if (level.to_coarser)
+          bytes += level.to_coarser->memory_consumption();
+      }
     if (cycle)
       bytes += cycle->memory_consumption();
     return bytes;

@@ -85,7 +85,9 @@ namespace StickSlip
       , operators(descriptions, terms)
       , levels(descriptions.size())
       , coarse_solver(
-          make_coarse_solver<n_components>(CoarseSolverType::direct))
+          make_coarse_solver<n_components>(CoarseSolverType::direct,
+                                           descriptions.front().nodes,
+                                           descriptions.front().frames))
       , coarsest_solution(
           descriptions.front().nodes.template make_vector<double>())
       , coarsest_rhs(coarsest_solution)
@@ -276,7 +278,10 @@ namespace StickSlip
     VCycleIn<n_components, Number>::set_coarse_solver(
       const CoarseSolverType type)
     {
-      coarse_solver = make_coarse_solver<n_components>(type);
+      coarse_solver =
+        make_coarse_solver<n_components>(type,
+                                         descriptions.front().nodes,
+                                         descriptions.front().frames);
     }
 
 

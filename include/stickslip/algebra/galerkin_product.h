@@ -13,13 +13,18 @@ namespace StickSlip
 {
   /**
    * The products P^T A P of block matrices with one transfer matrix P acting
-   * on each component. The sparsity of the product and the messages between
+   * on each component, or T^T A T with T = R_f^T P R_c where nodes have axes of
+   * their own. The sparsity of the product and the messages between
    * processes are found once; its values can be computed for all or for some
    * of its rows, so that a local change of A costs only the rows that see it.
    *
    * Each process forms the share of its own rows of A; what belongs to coarse
    * nodes of others is sent to these and added there. Matrices may be in single
    * or double precision; sums are formed in double precision.
+   *
+   * Masks are of components along the axes of the nodes. The blocks of S A S
+   * are turned to the axes of space, multiplied with scalars there, and turned
+   * to the axes of the coarse nodes.
    */
   template <int n_components>
   class GalerkinProduct
@@ -33,13 +38,17 @@ namespace StickSlip
      * @param prolongation The rows of P, one for each local fine node, in
      * global numbers of the coarse nodes.
      * @param owned_coarse The coarse nodes of this process.
+     * @param fine_frames The axes of the fine nodes.
+     * @param coarse_frames Those of the coarse nodes.
      *
      * Collective.
      */
-    GalerkinProduct(const NodePartition          &fine_nodes,
-                    const BlockSparsity          &fine,
-                    const std::vector<GlobalRow> &prolongation,
-                    const IndexSet               &owned_coarse);
+    GalerkinProduct(const NodePartition            &fine_nodes,
+                    const BlockSparsity            &fine,
+                    const std::vector<GlobalRow>   &prolongation,
+                    const IndexSet                 &owned_coarse,
+                    const LocalFrames              &fine_frames   = {},
+                    const NodeFrames<n_components> &coarse_frames = {});
 
     /** The coarse nodes; ghosts are the columns of P and of the product. */
     const NodePartition &
@@ -48,11 +57,18 @@ namespace StickSlip
       return nodes;
     }
 
-    /** P, with rows for owned and ghost fine nodes. */
+    /** P, with rows for owned and ghost fine nodes, and the axes of nodes. */
     const TransferMatrix &
     prolongation() const
     {
       return transfer;
+    }
+
+    /** The axes of the coarse nodes and their ghosts. */
+    const LocalFrames &
+    coarse_frames() const
+    {
+      return transfer.column_frames();
     }
 
     const std::shared_ptr<const BlockSparsity> &
@@ -62,7 +78,7 @@ namespace StickSlip
     }
 
     /**
-     * All rows of coarse = P^T (S A S) P, where S sets the components masked
+     * All rows of coarse = T^T (S A S) T, where S sets the components masked
      * by @p fine_mask to zero; the mask must hold for ghosts too. Collective.
      */
     template <typename FineNumber, typename CoarseNumber>
@@ -131,6 +147,16 @@ namespace StickSlip
                 const BlockSparsity                         &target,
                 const unsigned int                           target_row,
                 TargetNumber                                *values);
+
+    /** This share with or without axes of nodes. */
+    template <bool with_frames, typename FineNumber, typename TargetNumber>
+    void
+    compute_row_with(const BlockMatrix<n_components, FineNumber> &fine,
+                     const NodeMask                              &fine_mask,
+                     const unsigned int                           row,
+                     const BlockSparsity                         &target,
+                     const unsigned int                           target_row,
+                     TargetNumber                                *values);
 
     NodePartition                        nodes;
     TransferMatrix                       transfer;

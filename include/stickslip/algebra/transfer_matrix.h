@@ -4,7 +4,7 @@
 #ifndef stickslip_algebra_transfer_matrix_h
 #define stickslip_algebra_transfer_matrix_h
 
-#include <stickslip/algebra/node_partition.h>
+#include <stickslip/algebra/node_frames.h>
 
 #include <vector>
 
@@ -24,6 +24,14 @@ namespace StickSlip
    * each component. It serves as prolongation between levels and as change of
    * basis on one level.
    *
+   * Where nodes have axes of their own, R_f those of fine nodes and R_c those
+   * of coarse ones, P maps vectors in space, and what is applied to the
+   * components of the nodes is
+   *
+   *   T = R_f^T P R_c,
+   *
+   * with the same scalars: P and rotations are kept apart.
+   *
    * A process holds the rows of its owned fine nodes and, where products with
    * matrices are to be formed, those of its ghosts; the columns are the owned
    * coarse nodes and their ghosts.
@@ -36,11 +44,14 @@ namespace StickSlip
     /**
      * @p rows: one for each local fine node, or for the owned ones only, in
      * local order. Entries of a row with the same column are added up; those
-     * below 1e-14 in size after that are dropped.
+     * below 1e-14 in size after that are dropped. @p row_frames and
+     * @p column_frames: axes of the nodes of @p fine and @p coarse.
      */
     TransferMatrix(const std::vector<GlobalRow> &rows,
                    const NodePartition          &fine,
-                   const NodePartition          &coarse);
+                   const NodePartition          &coarse,
+                   const LocalFrames            &row_frames    = {},
+                   const LocalFrames            &column_frames = {});
 
     /** Number of rows, those of ghosts included. */
     unsigned int
@@ -49,7 +60,7 @@ namespace StickSlip
     unsigned int
     n_columns() const;
 
-    /** fine = P coarse, each node with @p components entries. This and the next
+    /** fine = T coarse, each node with @p components entries. This and the next
      * two are collective among neighbours. */
     template <typename Number>
     void
@@ -57,20 +68,21 @@ namespace StickSlip
                const NodeValues<Number> &coarse,
                const unsigned int        components) const;
 
-    /** fine += P coarse. */
+    /** fine += T coarse. */
     template <typename Number>
     void
     prolongate_add(NodeValues<Number>       &fine,
                    const NodeValues<Number> &coarse,
                    const unsigned int        components) const;
 
-    /** coarse = P^T fine. */
+    /** coarse = T^T fine. */
     template <typename Number>
     void
     restrict_to(NodeValues<Number>       &coarse,
                 const NodeValues<Number> &fine,
                 const unsigned int        components) const;
 
+    /** Bytes on this process, without the axes of nodes, which are shared. */
     std::size_t
     memory_consumption() const;
 
@@ -82,6 +94,7 @@ namespace StickSlip
       std::vector<double>       value;
     };
 
+    /** The scalars P. */
     const Compressed &
     matrix() const
     {
@@ -95,6 +108,20 @@ namespace StickSlip
       return by_column;
     }
 
+    /** The axes of the fine nodes. */
+    const LocalFrames &
+    row_frames() const
+    {
+      return frames_of_rows;
+    }
+
+    /** The axes of the coarse nodes. */
+    const LocalFrames &
+    column_frames() const
+    {
+      return frames_of_columns;
+    }
+
   private:
     void
     append_row(const GlobalRow &row, const NodePartition &coarse);
@@ -102,6 +129,12 @@ namespace StickSlip
     unsigned int n_owned_rows = 0;
     Compressed   by_row;
     Compressed   by_column;
+    LocalFrames  frames_of_rows;
+    LocalFrames  frames_of_columns;
+    /** Rows of P and of its transpose that depend on axes of nodes,
+     * ascending. */
+    std::vector<unsigned int> turned_rows;
+    std::vector<unsigned int> turned_columns;
   };
 } // namespace StickSlip
 

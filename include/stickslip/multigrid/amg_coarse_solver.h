@@ -18,7 +18,8 @@ namespace StickSlip
   class AMGCoarseSolver : public CoarseSolver<n_components>
   {
   public:
-    AMGCoarseSolver();
+    /** @p frames: axes of the @p nodes. */
+    AMGCoarseSolver(const NodePartition &nodes, const LocalFrames &frames);
 
     void
     set_matrix(const BlockMatrix<n_components> &matrix,

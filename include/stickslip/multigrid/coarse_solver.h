@@ -5,6 +5,7 @@
 #define stickslip_multigrid_coarse_solver_h
 
 #include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/node_frames.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/singular_matrix.h>
 
@@ -55,9 +56,12 @@ namespace StickSlip
     solve(NodalVector &x, const NodalVector &b) = 0;
   };
 
+  /** @p frames: axes of the @p nodes of the coarsest level. */
   template <int n_components>
   std::unique_ptr<CoarseSolver<n_components>>
-  make_coarse_solver(const CoarseSolverType type);
+  make_coarse_solver(const CoarseSolverType type,
+                     const NodePartition   &nodes,
+                     const LocalFrames     &frames);
 } // namespace StickSlip
 
 #endif

@@ -16,10 +16,17 @@ namespace StickSlip
    * A level of a multigrid method and the way to the next coarser one. On a
    * coarse level a component of a nonsmooth node is truncated if it is at all
    * fine nonsmooth nodes around.
+   *
+   * Nodes may have axes of their own, which may turn from node to node and from
+   * level to level; components, fixed and truncated ones too, are along these.
    */
   template <int n_components>
   struct LevelDescription : Unknowns
   {
+    /** The axes of the nodes, as in @p to_coarser of this level and of the next
+     * finer one. */
+    LocalFrames frames;
+
     /** The transfer to the next coarser level, whose nodes are its coarse
      * nodes; empty on the coarsest level. */
     std::shared_ptr<GalerkinProduct<n_components>> to_coarser;
