@@ -346,7 +346,7 @@ TEST(Frames, FrictionAlongACircleConvergesAsAlongALine)
       const LevelDescription<2> &finest    = hierarchy.finest();
       const CoulombFunctional<2> friction(
         finest.nonsmooth_nodes,
-        std::vector<double>(finest.nonsmooth_nodes.size(), 0.01));
+        std::vector<double>(finest.nonsmooth_nodes.size(), 0.015));
       // Drawn along, weakly at the ends.
       NodalVector b = finest.nodes.make_vector();
       for (unsigned int k = 0; k < finest.nonsmooth_nodes.size(); ++k)
