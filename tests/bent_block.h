@@ -14,6 +14,7 @@
 #include <stickslip/multigrid/level_hierarchy.h>
 
 #include <cmath>
+#include <functional>
 
 #include "random_axes.h"
 
@@ -30,13 +31,17 @@ namespace StickSlip::Tests
   class BentBlock
   {
   public:
-    /** @p cells of the coarsest level along the block and the other axes. */
+    /** @p cells of the coarsest level along the block and the other axes; all
+     * of it is turned by the angle @p tilt from the first axis to the last
+     * one. */
     BentBlock(const std::array<unsigned int, dim> &cells,
               const unsigned int                   n_levels,
-              const bool                           is_bent)
+              const bool                           is_bent,
+              const double                         tilt = 0.)
       : n_levels(n_levels)
       , cells(cells)
       , is_bent(is_bent)
+      , tilt(tilt)
     {}
 
     unsigned int
@@ -53,6 +58,17 @@ namespace StickSlip::Tests
     n_lower(const unsigned int l) const
     {
       return n_nodes(l) / ((cells[dim - 1] << l) + 1);
+    }
+
+    /** Between 0 and 1 in each direction. */
+    Point<dim>
+    reference_point(const unsigned int l, const unsigned int node) const
+    {
+      const Index i = index(l, node);
+      Point<dim>  point;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] = double(i[d]) / (cells[d] << l);
+      return point;
     }
 
     /** The axes of a node, tangential to the lower side and normal. */
@@ -93,6 +109,13 @@ namespace StickSlip::Tests
       return frames;
     }
 
+    /** Fixes components of a node, which has the given number on level l and
+     * local index. */
+    using Fix = std::function<void(const unsigned int l,
+                                   const unsigned int node,
+                                   const unsigned int index,
+                                   NodeMask          &fixed)>;
+
     /** A problem with the block's operator. */
     struct Problem
     {
@@ -100,13 +123,31 @@ namespace StickSlip::Tests
       std::unique_ptr<LevelHierarchy<dim>> hierarchy;
     };
 
-    /** The nodes of the upper side are held. Those of the lower one are
-     * nonsmooth; where @p slides is true, their last component is fixed. Each
+    /** The nodes of the lower side are nonsmooth; where @p slides is true,
+     * their last component is fixed. */
+    Problem
+    make(const std::vector<NodeFrames<dim>> &frames,
+         const bool                          slides,
+         const MPI_Comm                      communicator) const
+    {
+      return make(
+        frames,
+        [&](const unsigned int l,
+            const unsigned int node,
+            const unsigned int index,
+            NodeMask          &fixed) {
+          if (slides && node < n_lower(l))
+            fixed.mask(index, dim - 1);
+        },
+        communicator);
+    }
+
+    /** The nodes of the upper side are held, others as @p fix says. Each
      * process has about as many nodes as others, but all of the coarsest level
      * belong to the first one. */
     Problem
     make(const std::vector<NodeFrames<dim>> &frames,
-         const bool                          slides,
+         const Fix                          &fix,
          const MPI_Comm                      communicator) const
     {
       const NodePartition space = space_nodes(communicator);
@@ -156,11 +197,9 @@ namespace StickSlip::Tests
               const unsigned int node = level.nodes.global_index(i);
               if (node >= n_nodes(l) - n_lower(l))
                 level.fixed.mask_node(i);
-              if (node >= n_lower(l))
-                continue;
-              if (slides)
-                level.fixed.mask(i, dim - 1);
-              if (i < level.nodes.n_owned())
+              else
+                fix(l, node, i, level.fixed);
+              if (node < n_lower(l) && i < level.nodes.n_owned())
                 level.nonsmooth_nodes.push_back(i);
             }
         }
@@ -202,17 +241,6 @@ namespace StickSlip::Tests
       return result;
     }
 
-    /** Between 0 and 1 in each direction. */
-    Point<dim>
-    reference_point(const unsigned int l, const unsigned int node) const
-    {
-      const Index i = index(l, node);
-      Point<dim>  point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = double(i[d]) / (cells[d] << l);
-      return point;
-    }
-
     double
     angle_at(const Point<dim> &reference_point) const
     {
@@ -237,6 +265,9 @@ namespace StickSlip::Tests
           point[0]       = 2.5 * reference_point[0];
           point[dim - 1] = height;
         }
+      const double x = point[0], y = point[dim - 1];
+      point[0]       = std::cos(tilt) * x - std::sin(tilt) * y;
+      point[dim - 1] = std::sin(tilt) * x + std::cos(tilt) * y;
       return point;
     }
 
@@ -396,8 +427,9 @@ namespace StickSlip::Tests
         }
     }
 
-    const Index cells;
-    const bool  is_bent;
+    const Index  cells;
+    const bool   is_bent;
+    const double tilt;
   };
 } // namespace StickSlip::Tests
 

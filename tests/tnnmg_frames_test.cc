@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/lac/solver_cg.h>
+
 #include <gtest/gtest.h>
 #include <stickslip/condensed/condensed_solver.h>
+#include <stickslip/mechanics/node_constraint.h>
+#include <stickslip/multigrid/linearised_operator.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include "bent_block.h"
@@ -374,6 +378,82 @@ TEST(Frames, FrictionAlongACircleConvergesAsAlongALine)
       EXPECT_LT(relative_difference<2>(w, condensed), 1e-8);
     }
   EXPECT_LE(iterations[0], iterations[1] + 1);
+}
+
+
+
+TEST(Frames, RollersAlongTiltedSidesEqualThoseAlongLevelOnes)
+{
+  // A block that rolls along its left and its lower side.
+  const auto solve = [](const BentBlock<2>                &block,
+                        const std::vector<NodeFrames<2>>  &frames,
+                        const std::array<unsigned int, 2> &normal_of_side,
+                        const Tensor<1, 2>                &load) {
+    const auto problem = block.make(
+      frames,
+      [&](const unsigned int l,
+          const unsigned int node,
+          const unsigned int index,
+          NodeMask          &fixed) {
+        const bool left  = block.reference_point(l, node)[0] == 0.;
+        const bool lower = node < block.n_lower(l);
+        if (left && lower)
+          fixed.mask_node(index);
+        else if (left || lower)
+          fixed.mask(index, normal_of_side[left ? 0 : 1]);
+      },
+      MPI_COMM_SELF);
+    LevelHierarchy<2> &hierarchy = *problem.hierarchy;
+    hierarchy.set_cycle_precision(CyclePrecision::double_precision);
+    hierarchy.linearise(std::vector<Tensor<2, 2>>(
+                          hierarchy.finest().nonsmooth_nodes.size()),
+                        hierarchy.finest().fixed);
+    NodalVector u = hierarchy.finest().nodes.make_vector(), b = u;
+    for (unsigned int i = 0; i < b.size() / 2; ++i)
+      for (unsigned int c = 0; c < 2; ++c)
+        b.local_element(2 * i + c) = load[c] * std::sin(0.1 * i);
+    to_frames(b, hierarchy.finest().frames);
+    hierarchy.finest().fixed.apply(b);
+    SolverControl control(100, 1e-14 * b.l2_norm());
+    SolverCG<NodalVector>(control).solve(LinearisedOperator<2>{hierarchy},
+                                         u,
+                                         b,
+                                         CyclePreconditioner<2>{hierarchy});
+    to_space(u, hierarchy.finest().frames);
+    return std::make_pair(u, control.last_step());
+  };
+
+  const double       tilt = 0.7, c = std::cos(tilt), s = std::sin(tilt);
+  const Tensor<2, 2> Q({{c, -s}, {s, c}});
+  const Tensor<1, 2> load({1., 0.3});
+  const BentBlock<2> level({{4, 2}}, 4, false),
+    tilted({{4, 2}}, 4, false, tilt);
+  const auto [expected, n_expected] =
+    solve(level, std::vector<NodeFrames<2>>(4), {{0, 1}}, load);
+
+  std::vector<NodeFrames<2>> frames(4);
+  for (unsigned int l = 0; l < 4; ++l)
+    for (unsigned int node = 0; node < tilted.n_nodes(l); ++node)
+      {
+        NodeConstraint<2> constraint;
+        if (tilted.reference_point(l, node)[0] == 0.)
+          constraint.add(Q * Tensor<1, 2>({-1., 0.}));
+        if (node < tilted.n_lower(l))
+          constraint.add(Q * Tensor<1, 2>({0., -1.}));
+        if (constraint.size() == 1)
+          frames[l].set(node, constraint.axes());
+      }
+  auto [u, n] = solve(tilted, frames, {{1, 1}}, Q * load);
+  EXPECT_EQ(n, n_expected);
+  for (unsigned int i = 0; i < u.size() / 2; ++i)
+    {
+      const Tensor<1, 2> back =
+        transpose(Q) *
+        Tensor<1, 2>({u.local_element(2 * i), u.local_element(2 * i + 1)});
+      for (unsigned int d = 0; d < 2; ++d)
+        u.local_element(2 * i + d) = back[d];
+    }
+  EXPECT_LT(relative_difference<2>(u, expected), 1e-12);
 }
 
 

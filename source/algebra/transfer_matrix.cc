@@ -139,6 +139,11 @@ namespace StickSlip
              NodeValues<Number>               &y,
              const unsigned int                components)
     {
+      Assert(row_frames.empty() || row_frames.n_components() == components,
+             ExcDimensionMismatch(row_frames.n_components(), components));
+      Assert(column_frames.empty() ||
+               column_frames.n_components() == components,
+             ExcDimensionMismatch(column_frames.n_components(), components));
       const auto multiply_all = [&](const auto size) {
         constexpr int n     = decltype(size)::value;
         unsigned int  begin = 0;

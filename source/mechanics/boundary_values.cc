@@ -6,7 +6,9 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/mechanics/side_axes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,30 @@ namespace StickSlip
       return std::find(condition.type.begin(),
                        condition.type.end(),
                        BoundaryType::traction) != condition.type.end();
+    }
+
+
+
+    bool
+    is_prescribed(const BoundaryType type)
+    {
+      return type == BoundaryType::fixed || type == BoundaryType::velocity;
+    }
+
+
+
+    /** Add a force along the axis @p c, N, to the load of a node. */
+    template <int dim>
+    void
+    add_along(const Tensor<2, dim> &axes,
+              const unsigned int    c,
+              const double          force,
+              const unsigned int    node,
+              NodalVector          &load)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (axes[d][c] != 0.)
+          load.local_element(node * dim + d) += axes[d][c] * force;
     }
   } // namespace
 
@@ -54,8 +80,20 @@ namespace StickSlip
               std::regex_search(condition.expression[c], the_time);
             side.values.emplace_back(condition.expression[c], true);
           }
-        const BodyMesh<dim> &body     = *finest.bodies[side.body];
-        const auto           add_node = [&](const types::global_dof_index dof,
+        const BodyMesh<dim> &body = *finest.bodies[side.body];
+        for (unsigned int c = 0; c < dim; ++c)
+          side.axes[c][c] = 1.;
+        if (condition.axes == BoundaryAxes::side)
+          {
+            const FaultSurface<dim> surface = body.surface(condition.side);
+            if (!is_plane(surface))
+              throw InputError("The side " + std::to_string(condition.side) +
+                               " of the body '" + condition.body +
+                               "' is not plane: conditions on it cannot be "
+                               "along the axes of the side.");
+            side.axes = axes_of_side(surface.normal);
+          }
+        const auto add_node = [&](const types::global_dof_index dof,
                                   const Point<dim>             &point) {
           const auto node = finest.global_node(side.body, dof);
           if (!finest.nodes.owned().is_element(node))
@@ -79,6 +117,80 @@ namespace StickSlip
           }
         sides.push_back(std::move(side));
       }
+    for (auto &[node, turned] : find_turned_nodes(meshes.n_levels() - 1))
+      if (finest.nodes.owned().is_element(node))
+        turned_nodes.emplace(finest.nodes.local_index(node), turned);
+  }
+
+
+
+  template <int dim>
+  std::map<types::global_dof_index, typename BoundaryValues<dim>::TurnedNode>
+  BoundaryValues<dim>::find_turned_nodes(const unsigned int l) const
+  {
+    const MeshLevel<dim>                         &level = meshes.level(l);
+    std::map<types::global_dof_index, TurnedNode> nodes;
+    const auto for_each_node = [&](const Side &side, const auto &action) {
+      const BodyMesh<dim> &body = *level.bodies[side.body];
+      if (!body.is_rigid())
+        {
+          const FaultSurface<dim> surface = body.surface(side.condition.side);
+          for (unsigned int k = 0; k < surface.nodes.size(); ++k)
+            action(level.global_node(side.body, surface.nodes[k]),
+                   surface.points[k]);
+          return;
+        }
+      // All of it moves with the side.
+      const std::vector<Point<dim>> points = body.node_positions();
+      for (types::global_dof_index dof = 0; dof < points.size(); ++dof)
+        if (!body.bound_nodes().is_constrained(dof))
+          action(level.global_node(side.body, dof), points[dof]);
+    };
+    for (const Side &side : sides)
+      if (side.condition.axes == BoundaryAxes::side &&
+          std::any_of(side.condition.type.begin(),
+                      side.condition.type.end(),
+                      is_prescribed))
+        for_each_node(side,
+                      [&](const types::global_dof_index node,
+                          const Point<dim>             &point) {
+                        nodes[node].point = point;
+                      });
+    if (nodes.empty())
+      return nodes;
+    // Of two values for one direction the one that is given last counts.
+    for (unsigned int i = sides.size(); i-- > 0;)
+      for_each_node(sides[i],
+                    [&](const types::global_dof_index node,
+                        const Point<dim> &) {
+                      const auto turned = nodes.find(node);
+                      if (turned == nodes.end())
+                        return;
+                      for (unsigned int c = 0; c < dim; ++c)
+                        {
+                          Tensor<1, dim> direction;
+                          for (unsigned int d = 0; d < dim; ++d)
+                            direction[d] = sides[i].axes[d][c];
+                          if (is_prescribed(sides[i].condition.type[c]) &&
+                              turned->second.constraint.add(direction))
+                            turned->second.values.emplace_back(i, c);
+                        }
+                    });
+    return nodes;
+  }
+
+
+
+  template <int dim>
+  NodeFrames<dim>
+  BoundaryValues<dim>::frames(const unsigned int l) const
+  {
+    NodeFrames<dim> frames;
+    for (const auto &[node, turned] : find_turned_nodes(l))
+      // Any axes do where all components are prescribed.
+      if (turned.constraint.size() < dim)
+        frames.set(node, turned.constraint.axes());
+    return frames;
   }
 
 
@@ -95,14 +207,18 @@ namespace StickSlip
              dof < level.bodies[b]->dof_handler().n_dofs();
              ++dof)
           mask.mask_node(level.global_node(b, dof));
+    const auto turned_nodes = find_turned_nodes(l);
+    for (const auto &[node, turned] : turned_nodes)
+      for (unsigned int k = 0; k < turned.constraint.size(); ++k)
+        if (mask.is_active(node, dim - 1 - k))
+          mask.mask(node, dim - 1 - k);
     for (const Side &side : sides)
       for (const auto dof :
            level.bodies[side.body]->dofs_on_side(side.condition.side))
         for (unsigned int c = 0; c < dim; ++c)
-          if (side.condition.type[c] == BoundaryType::fixed ||
-              side.condition.type[c] == BoundaryType::velocity)
+          if (is_prescribed(side.condition.type[c]))
             if (const auto node = level.global_node(side.body, dof);
-                mask.is_active(node, c))
+                mask.is_active(node, c) && turned_nodes.count(node) == 0)
               mask.mask(node, c);
     return mask;
   }
@@ -114,7 +230,9 @@ namespace StickSlip
   BoundaryValues<dim>::set_velocities(const double time, NodalVector &velocity)
   {
     for (Side &side : sides)
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0;
+           c < dim && side.condition.axes == BoundaryAxes::space;
+           ++c)
         {
           if (side.condition.type[c] == BoundaryType::velocity)
             {
@@ -127,6 +245,24 @@ namespace StickSlip
             for (const unsigned int node : side.nodes)
               velocity.local_element(node * dim + c) = 0.;
         }
+    for (const auto &[node, turned] : turned_nodes)
+      {
+        std::array<double, dim> values{};
+        for (unsigned int k = 0; k < turned.values.size(); ++k)
+          {
+            const auto [i, c] = turned.values[k];
+            Side &side        = sides[i];
+            if (side.condition.type[c] == BoundaryType::velocity)
+              values[k] = smooth_ramp(time, side.condition.ramp_length) *
+                          side.values[c].value(turned.point, time);
+          }
+        Tensor<1, dim> u;
+        for (unsigned int d = 0; d < dim; ++d)
+          u[d] = velocity.local_element(node * dim + d);
+        u = turned.constraint.impose(u, values);
+        for (unsigned int d = 0; d < dim; ++d)
+          velocity.local_element(node * dim + d) = u[d];
+      }
   }
 
 
@@ -184,10 +320,12 @@ namespace StickSlip
                               for (const auto &master :
                                    level.resolve(side.body, cell_dofs[i]))
                                 if (owned.is_element(master.first))
-                                  load.local_element(
-                                    level.nodes.local_index(master.first) *
-                                      dim +
-                                    c) += master.second * value;
+                                  add_along(side.axes,
+                                            c,
+                                            master.second * value,
+                                            level.nodes.local_index(
+                                              master.first),
+                                            load);
                             }
                         }
                     }

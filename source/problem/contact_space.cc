@@ -82,7 +82,10 @@ namespace StickSlip
         shear_modulus(finest, faults[f].sides[1], materials) /
           shear_modulus(finest, faults[f].sides[0], materials)));
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
-      dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
+      {
+        dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
+        boundary_frames.push_back(boundary_values.frames(l));
+      }
     if (std::any_of(slip_rates.begin(),
                     slip_rates.end(),
                     [](const auto &rates) { return bool(rates); }))
@@ -144,9 +147,12 @@ namespace StickSlip
                  [&](const types::global_dof_index node) {
                    return bases.back().to_nodal(node);
                  }),
-      finest.nodes.owned());
+      finest.nodes.owned(),
+      LocalFrames(),
+      boundary_frames.back());
     std::vector<LevelDescription<dim>> descriptions(n_levels);
     descriptions.back().nodes          = to_jump_basis->coarse_nodes();
+    descriptions.back().frames         = to_jump_basis->coarse_frames();
     const BlockSparsity *fine_sparsity = to_jump_basis->coarse_sparsity().get();
     for (unsigned int l = n_levels - 1; l > 0; --l)
       {
@@ -161,9 +167,12 @@ namespace StickSlip
                                                 mesh_hierarchy.prolongation(l),
                                                 node);
                      }),
-          mesh_hierarchy.level(l - 1).nodes.owned());
-        descriptions[l - 1].nodes = fine.to_coarser->coarse_nodes();
-        fine_sparsity             = fine.to_coarser->coarse_sparsity().get();
+          mesh_hierarchy.level(l - 1).nodes.owned(),
+          fine.frames,
+          boundary_frames[l - 1]);
+        descriptions[l - 1].nodes  = fine.to_coarser->coarse_nodes();
+        descriptions[l - 1].frames = fine.to_coarser->coarse_frames();
+        fine_sparsity              = fine.to_coarser->coarse_sparsity().get();
       }
     describe(descriptions, bases);
 
@@ -171,8 +180,10 @@ namespace StickSlip
     for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
       inverse_rows.push_back(
         bases.back().to_jumps(finest.nodes.global_index(i)));
-    B_inverse =
-      TransferMatrix(inverse_rows, finest.nodes, to_jump_basis->coarse_nodes());
+    B_inverse    = TransferMatrix(inverse_rows,
+                               finest.nodes,
+                               to_jump_basis->coarse_nodes(),
+                               descriptions.back().frames);
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
   }

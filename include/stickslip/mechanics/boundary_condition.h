@@ -29,6 +29,17 @@ namespace StickSlip
   };
 
   /**
+   * The directions of the components of a condition.
+   */
+  enum class BoundaryAxes
+  {
+    /** The axes of space. */
+    space,
+    /** Tangential axes of the side, and its outward normal as the last one. */
+    side
+  };
+
+  /**
    * The conditions on one outer side of one body, component by component.
    * Values are muParser expressions in x, y (z) and t, multiplied by a smooth
    * ramp: half a cosine from 0 at t = 0 to 1 at t = ramp_length.
@@ -41,6 +52,8 @@ namespace StickSlip
 
     /** Boundary indicator of the side: 2 * axis + (0: lower, 1: upper). */
     unsigned int side = 0;
+
+    BoundaryAxes axes = BoundaryAxes::space;
 
     std::array<BoundaryType, dim> type;
     std::array<std::string, dim>  expression;

@@ -4,11 +4,14 @@
 #ifndef stickslip_mechanics_boundary_values_h
 #define stickslip_mechanics_boundary_values_h
 
+#include <stickslip/algebra/node_frames.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/mechanics/node_constraint.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/parameters/expression.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,24 +26,33 @@ namespace StickSlip
 
   /**
    * The boundary conditions of a scene on its meshes: the components that they
-   * fix on each level, and their values. All components of a rigid body are
+   * fix on each level, and their values. Where some of them are along the axes
+   * of a side, which is plane, components of its nodes have axes of their
+   * own. All components of a rigid body are
    * fixed, with the velocity that is given for one of its sides, or none.
    */
   template <int dim>
   class BoundaryValues
   {
   public:
-    /** @p body_names in the order of the meshes. */
+    /** @p body_names in the order of the meshes. Throws InputError where a
+     * condition is along the axes of a side that is not plane. */
     BoundaryValues(const MeshHierarchy<dim>                  &meshes,
                    const std::vector<BoundaryCondition<dim>> &conditions,
                    const std::vector<std::string>            &body_names);
 
     /** The components on level @p l whose velocity is prescribed, over the
-     * global numbers of all nodes. */
+     * global numbers of all nodes, and along the axes of frames(). */
     NodeMask
     dirichlet_mask(const unsigned int l) const;
 
-    /** Set the prescribed velocities of owned nodes at @p time, m/s. */
+    /** The axes of nodes on level @p l with a component that is prescribed
+     * along another direction than those of space. */
+    NodeFrames<dim>
+    frames(const unsigned int l) const;
+
+    /** Set the prescribed velocities of owned nodes at @p time, in the axes of
+     * space, m/s. */
     void
     set_velocities(const double time, NodalVector &velocity);
 
@@ -78,6 +90,8 @@ namespace StickSlip
 
       unsigned int           body;
       BoundaryCondition<dim> condition;
+      /** The directions of the components, as columns. */
+      Tensor<2, dim> axes;
       /** One for each component, without the ramp. */
       std::vector<Expression<dim>> values;
       /** The owned nodes. */
@@ -85,8 +99,24 @@ namespace StickSlip
       std::vector<Point<dim>>   points;
     };
 
+    /** A node with a component that is prescribed along the axes of a side:
+     * all prescribed components of all sides that it lies on. */
+    struct TurnedNode
+    {
+      NodeConstraint<dim> constraint;
+      Point<dim>          point;
+      /** Side and component of each direction. */
+      std::vector<std::pair<unsigned int, unsigned int>> values;
+    };
+
+    /** These nodes on a level, by global number. */
+    std::map<types::global_dof_index, TurnedNode>
+    find_turned_nodes(const unsigned int l) const;
+
     const MeshHierarchy<dim> &meshes;
     std::vector<Side>         sides;
+    /** Owned nodes of the finest level, by local index. */
+    std::map<unsigned int, TurnedNode> turned_nodes;
   };
 } // namespace StickSlip
 

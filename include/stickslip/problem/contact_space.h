@@ -23,9 +23,11 @@ namespace StickSlip
    *   u_l = B_l w_l,
    *
    * the transfers B_l^-1 P B_(l-1) between them, components that take no part,
-   * and jumps that are known. Nodal vectors u and vectors w of the jump basis
-   * have the same owned entries, and different ghosts; those of the jump basis
-   * change with the contact mapping.
+   * and jumps that are known. Nodes whose components are prescribed along other
+   * axes than those of space have these axes in w (LevelDescription::frames).
+   * Nodal vectors u and vectors w of the jump basis have the same owned
+   * entries, and different ghosts; those of the jump basis change with the
+   * contact mapping.
    */
   template <int dim>
   class ContactSpace
@@ -104,6 +106,8 @@ namespace StickSlip
     const MeshHierarchy<dim> &mesh_hierarchy;
     std::vector<FaultSides>   sides;
     std::vector<NodeMask>     dirichlet_masks;
+    /** Axes of nodes that boundary conditions ask for, level by level. */
+    std::vector<NodeFrames<dim>> boundary_frames;
     /** Null where friction acts on all faults. */
     std::unique_ptr<PrescribedSlip<dim>> prescribed_slip;
 
