@@ -81,6 +81,14 @@ namespace StickSlip
         f,
         shear_modulus(finest, faults[f].sides[1], materials) /
           shear_modulus(finest, faults[f].sides[0], materials)));
+    axes.resize(meshes.n_levels());
+    axes.back() = make_fault_axes(finest, meshes.topology(), sides);
+    for (unsigned int l = meshes.n_levels() - 1; l > 0; --l)
+      axes[l - 1] = inject(meshes.level(l - 1),
+                           meshes.level(l),
+                           meshes.prolongation(l),
+                           sides,
+                           axes[l]);
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
     if (std::any_of(slip_rates.begin(),
@@ -111,7 +119,8 @@ namespace StickSlip
                                  mesh_hierarchy.prolongation(l + 1),
                                  sides,
                                  displacements);
-        bases.emplace_back(level, sides, displacements, dirichlet_masks[l]);
+        bases.emplace_back(
+          level, sides, axes[l], displacements, dirichlet_masks[l]);
       }
     std::reverse(bases.begin(), bases.end());
     for (unsigned int i = 0; i < bases.back().faults().size(); ++i)
@@ -173,6 +182,9 @@ namespace StickSlip
         bases.back().to_jumps(finest.nodes.global_index(i)));
     B_inverse =
       TransferMatrix(inverse_rows, finest.nodes, to_jump_basis->coarse_nodes());
+    rotation     = RotationCoupling<dim>(bases.back(),
+                                     to_jump_basis->coarse_nodes(),
+                                     *to_jump_basis->coarse_sparsity());
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
   }
@@ -220,6 +232,15 @@ namespace StickSlip
 
 
   template <int dim>
+  const RotationCoupling<dim> &
+  ContactSpace<dim>::rotation_coupling() const
+  {
+    return rotation;
+  }
+
+
+
+  template <int dim>
   const MeshHierarchy<dim> &
   ContactSpace<dim>::meshes() const
   {
@@ -245,6 +266,7 @@ namespace StickSlip
     NodalVector values = make_vector();
     std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
     B_inverse.prolongate(w, values, dim);
+    rotation.add(1., w);
   }
 
 
@@ -253,7 +275,14 @@ namespace StickSlip
   void
   ContactSpace<dim>::to_nodal(NodalVector &u, const NodalVector &w) const
   {
-    to_jump_basis->prolongation().prolongate(u, w, dim);
+    if (rotation.empty())
+      {
+        to_jump_basis->prolongation().prolongate(u, w, dim);
+        return;
+      }
+    NodalVector without_term = w;
+    rotation.add(-1., without_term);
+    to_jump_basis->prolongation().prolongate(u, without_term, dim);
   }
 
 
@@ -264,6 +293,7 @@ namespace StickSlip
   {
     NodalVector dual = make_vector();
     to_jump_basis->prolongation().restrict_to(dual, f, dim);
+    rotation.add_transpose(-1., dual);
     return dual;
   }
 
