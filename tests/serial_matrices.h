@@ -109,9 +109,11 @@ namespace StickSlip::Tests
    * surfaces. */
   template <int dim>
   JumpBasis<dim>
-  undeformed_basis(const MeshLevel<dim>          &level,
-                   const std::vector<FaultSides> &sides,
-                   const NodeMask                &dirichlet)
+  undeformed_basis(
+    const MeshLevel<dim>          &level,
+    const std::vector<FaultSides> &sides,
+    const NodeMask                &dirichlet,
+    const Tensor<1, dim>          &reference = FaultAxes<dim>::first_axis())
   {
     std::vector<FaultAxes<dim>> axes;
     for (unsigned int f = 0; f < sides.size(); ++f)
@@ -120,7 +122,7 @@ namespace StickSlip::Tests
           nodal_normals(level.surface(f, sides[f].slave));
         for (Tensor<1, dim> &normal : normals)
           normal *= -sides[f].sign();
-        axes.emplace_back(normals);
+        axes.emplace_back(normals, reference);
       }
     return JumpBasis<dim>(level,
                           sides,

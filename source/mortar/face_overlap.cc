@@ -77,6 +77,9 @@ namespace StickSlip
       const MasterImage<dim> &image;
     };
 
+    template <int dim>
+    using Masters = boost::container::small_vector<Projected<dim>, 8>;
+
 
 
     template <int dim>
@@ -103,10 +106,12 @@ namespace StickSlip
     void
     append_overlap(const unsigned int           slave_face,
                    const FaceShape<2>          &slave,
-                   std::vector<Projected<2>>    masters,
+                   const Masters<2>            &masters,
                    std::vector<OverlapCell<2>> &cells)
     {
-      std::vector<std::pair<std::pair<double, double>, unsigned int>> sorted;
+      boost::container::
+        small_vector<std::pair<std::pair<double, double>, unsigned int>, 8>
+          sorted;
       for (unsigned int i = 0; i < masters.size(); ++i)
         sorted.emplace_back(ends(masters[i].shape), i);
       std::sort(sorted.begin(), sorted.end());
@@ -144,10 +149,10 @@ namespace StickSlip
 
 
     void
-    append_overlap(const unsigned int               slave_face,
-                   const FaceShape<3>              &slave,
-                   const std::vector<Projected<3>> &masters,
-                   std::vector<OverlapCell<3>>     &cells)
+    append_overlap(const unsigned int           slave_face,
+                   const FaceShape<3>          &slave,
+                   const Masters<3>            &masters,
+                   std::vector<OverlapCell<3>> &cells)
     {
       const Polygon slave_outline = outline(slave);
       for (const Projected<3> &master : masters)
@@ -220,9 +225,9 @@ namespace StickSlip
     std::vector<OverlapCell<dim>> cells;
     for (unsigned int f = 0; f < slave.faces.size(); ++f)
       {
-        const FacePlane<dim>                plane(slave.normal_of(f));
-        const std::vector<MasterImage<dim>> images = search.opposite_to(f);
-        std::vector<Projected<dim>>         masters;
+        const FacePlane<dim> plane(slave.normal_of(f));
+        const auto           images = search.opposite_to(f);
+        Masters<dim>         masters;
         for (const MasterImage<dim> &image : images)
           masters.push_back(
             {moved(project_face(plane, master, master_positions, image.face),

@@ -151,15 +151,15 @@ namespace StickSlip
 
 
   template <int dim>
-  std::vector<MasterImage<dim>>
+  boost::container::small_vector<MasterImage<dim>, 8>
   FaceSearch<dim>::opposite_to(const unsigned int slave_face) const
   {
-    std::vector<std::size_t> candidates;
+    boost::container::small_vector<std::size_t, 16> candidates;
     tree.query(boost::geometry::index::intersects(
                  box(slave, slave_positions, slave_face, {})),
                std::back_inserter(candidates));
     std::sort(candidates.begin(), candidates.end());
-    std::vector<MasterImage<dim>> result;
+    boost::container::small_vector<MasterImage<dim>, 8> result;
     for (const std::size_t i : candidates)
       if (is_opposite(slave_face, images[i]))
         result.push_back(images[i]);

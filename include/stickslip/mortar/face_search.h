@@ -7,6 +7,8 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <stickslip/mesh/fault_surface.h>
 #include <stickslip/mortar/face_plane.h>
 #include <stickslip/mortar/face_shape.h>
@@ -62,7 +64,7 @@ namespace StickSlip
      * (facing_cosine). Unless both sides are plane, their centres are at most
      * the sum of both diameters away along the normal. In a fixed order.
      */
-    std::vector<MasterImage<dim>>
+    boost::container::small_vector<MasterImage<dim>, 8>
     opposite_to(const unsigned int slave_face) const;
 
   private:
