@@ -111,6 +111,19 @@ namespace
     for (const FaultContact<dim> &contact : basis.faults())
       EXPECT_EQ(contact.coupling.lost_area, 0.);
 
+    // Only the fault between the two bodies is not level.
+    const NodeFrames<dim> frames = basis.frames();
+    const auto           &branch = basis.faults()[1];
+    EXPECT_EQ(frames.size(),
+              std::count(branch.coupling.active.begin(),
+                         branch.coupling.active.end(),
+                         true));
+    for (const auto &[node, axes] : frames)
+      {
+        EXPECT_EQ(point_of(level, node)[0], 0.5);
+        EXPECT_EQ(axes[0][dim - 1], 1.);
+      }
+
     NodalVector u =
       interpolate(level, [](const unsigned int, const Point<dim> &x) {
         Tensor<1, dim> value;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 
 namespace StickSlip
@@ -105,21 +106,33 @@ namespace StickSlip
       const bool are_plane = slave.is_plane() && master.is_plane();
 
       std::vector<FaceIntegrals<dim>> integrals(slave.faces.size());
-      for (const OverlapCell<dim> &cell : compute_face_overlap(
-             slave, slave_positions, master, master_positions))
+      // Cells of one pair of faces follow each other.
+      const OverlapCell<dim>             *last = nullptr;
+      std::optional<FacePlane<dim>>       plane;
+      std::optional<FaceShape<dim>>       slave_shape, master_shape;
+      const std::vector<OverlapCell<dim>> cells =
+        compute_face_overlap(slave, slave_positions, master, master_positions);
+      for (const OverlapCell<dim> &cell : cells)
         {
           const auto          &master_face = master.faces[cell.master_face];
           const Tensor<1, dim> normal      = slave.normal_of(cell.slave_face);
-          const FacePlane<dim> plane(normal);
-          const FaceShape<dim> slave_shape =
-            project_face(plane, slave, slave_positions, cell.slave_face);
-          const FaceShape<dim> master_shape =
-            project_face(plane, master, master_positions, cell.master_face);
+          const bool           is_new_slave =
+            last == nullptr || last->slave_face != cell.slave_face;
+          if (is_new_slave)
+            {
+              plane.emplace(normal);
+              slave_shape.emplace(
+                project_face(*plane, slave, slave_positions, cell.slave_face));
+            }
+          if (is_new_slave || last->master_face != cell.master_face)
+            master_shape.emplace(
+              project_face(*plane, master, master_positions, cell.master_face));
+          last = &cell;
           // From the slave face to the master face, whose image it meets.
           Tensor<1, dim> shift;
           for (unsigned int d = 0; d < dim - 1; ++d)
             shift[d] = -cell.master_wraps[d] * slave.period[d];
-          const Tensor<1, dim - 1> shift_in_plane = plane.components(shift);
+          const Tensor<1, dim - 1> shift_in_plane = plane->components(shift);
           FaceIntegrals<dim>      &face           = integrals[cell.slave_face];
 
           std::array<double, FaceIntegrals<dim>::n> slave_heights  = {},
@@ -142,10 +155,10 @@ namespace StickSlip
                      (cell.vertices[d + 1] - cell.vertices[0]);
               const double         JxW       = quadrature.weight(g) * scale;
               const Point<dim - 1> on_master = x + shift_in_plane;
-              const auto           slave_phi = slave_shape.shape_values(x);
-              const auto master_phi      = master_shape.shape_values(on_master);
-              const unsigned int n_slave = slave_shape.n_vertices();
-              const unsigned int n_master = master_shape.n_vertices();
+              const auto           slave_phi = slave_shape->shape_values(x);
+              const auto master_phi = master_shape->shape_values(on_master);
+              const unsigned int n_slave  = slave_shape->n_vertices();
+              const unsigned int n_master = master_shape->n_vertices();
               for (unsigned int i = 0; i < n_slave; ++i)
                 for (unsigned int j = 0; j < n_slave; ++j)
                   face.mass[i][j] += slave_phi[i] * slave_phi[j] * JxW;
@@ -161,7 +174,7 @@ namespace StickSlip
               const double gap = product(slave_phi, slave_heights) -
                                  product(master_phi, master_heights) +
                                  shift * normal;
-              const auto slopes = master_shape.shape_gradients(on_master);
+              const auto slopes = master_shape->shape_gradients(on_master);
               for (unsigned int j = 0; j < n_master; ++j)
                 {
                   auto &column = face.slopes[master_face[j]];

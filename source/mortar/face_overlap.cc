@@ -31,19 +31,19 @@ namespace StickSlip
 
 
     /** A positive or negative number for the two senses in which the vertices
-     * of a face run. */
+     * of a face run in its plane. */
     double
-    sense(const std::array<Point<1>, 2> &v)
+    sense(const FacePlane<2> &plane, const std::array<Point<2>, 2> &v)
     {
-      return v[1][0] - v[0][0];
+      return plane.components(v[1] - v[0])[0];
     }
 
 
 
     double
-    sense(const std::array<Point<2>, 4> &v)
+    sense(const FacePlane<3> &plane, const std::array<Point<3>, 4> &v)
     {
-      return signed_area({v[0], v[1], v[2]});
+      return cross_product_3d(v[1] - v[0], v[2] - v[0]) * plane.normal();
     }
 
 
@@ -57,13 +57,13 @@ namespace StickSlip
       for (unsigned int f = 0; f < surface.faces.size(); ++f)
         {
           const FacePlane<dim> plane(surface.normal_of(f));
-          const auto           now = project_face(plane, surface, positions, f);
-          const auto before = project_face(plane, surface, surface.points, f);
-          AssertThrow(sense(now.vertices()) * sense(before.vertices()) > 0.,
-                      ExcMessage(
-                        "A face on a side of a fault is turned inside out. The "
-                        "deformation next to the fault is too large for the "
-                        "mesh."));
+          AssertThrow(
+            sense(plane, surface.face_vertices(positions, f)) *
+                sense(plane, surface.face_vertices(surface.points, f)) >
+              0.,
+            ExcMessage("A face on a side of a fault has no area or is turned "
+                       "inside out. The deformation next to the fault is too "
+                       "large for the mesh."));
         }
     }
 

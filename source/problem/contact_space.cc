@@ -183,6 +183,7 @@ namespace StickSlip
     B_inverse =
       TransferMatrix(inverse_rows, finest.nodes, to_jump_basis->coarse_nodes());
     rotation     = RotationCoupling<dim>(bases.back(),
+                                     bases.back().frames(),
                                      to_jump_basis->coarse_nodes(),
                                      *to_jump_basis->coarse_sparsity());
     levels       = std::move(descriptions);

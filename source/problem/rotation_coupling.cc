@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <stickslip/base/make_set.h>
 #include <stickslip/problem/rotation_coupling.h>
@@ -60,13 +60,18 @@ namespace StickSlip
 
 
   template <int dim>
-  RotationCoupling<dim>::RotationCoupling(const JumpBasis<dim> &basis,
-                                          const NodePartition  &nodes,
-                                          const BlockSparsity  &sparsity)
+  RotationCoupling<dim>::RotationCoupling(const JumpBasis<dim>  &basis,
+                                          const NodeFrames<dim> &frames,
+                                          const NodePartition   &nodes,
+                                          const BlockSparsity   &sparsity)
     : n_owned(nodes.n_owned())
   {
     // Every process has the coupling of all faults.
-    const NodeFrames<dim> frames = basis.frames();
+    const auto axes_of = [&](const types::global_dof_index node) {
+      const Tensor<2, dim> *axes = frames.find(node);
+      return axes != nullptr ? *axes :
+                               Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    };
     for (const auto p : basis.contact_nodes())
       {
         const auto term = basis.rotation_term(p);
@@ -74,15 +79,13 @@ namespace StickSlip
         if (term.empty() || !nodes.is_local(p))
           continue;
         const double averaging_factor = basis.to_jumps(p).front().second;
-        const Tensor<2, dim> *axes    = frames.find(p);
-        Row                  &row     = rows[nodes.local_index(p)];
+        Row         &row              = rows[nodes.local_index(p)];
         for (const auto &[q, matrix] : term)
           // Where a ghost is a column of an owned row, so are its masters.
           if (nodes.is_local(q))
             row.emplace_back(nodes.local_index(q),
-                             averaging_factor * (axes == nullptr ?
-                                                   matrix :
-                                                   transpose(*axes) * matrix));
+                             averaging_factor * transpose(axes_of(p)) * matrix *
+                               axes_of(q));
       }
     if (!is_needed)
       return;

@@ -18,9 +18,10 @@ namespace StickSlip
    *
    *   B = B_0 (1 - K),   B^-1 = (1 + K) B_0^-1,
    *
-   * with blocks K_pq = averaging_factor_p R_p^T C_pq from master nodes q to the
-   * jumps at slave nodes p (MortarCoupling); K^2 = 0, since no node is both. On
-   * the finest level only: transfers to coarser ones keep B_0.
+   * with blocks K_pq = averaging_factor_p R_p^T C_pq R_q from master nodes q to
+   * the jumps at slave nodes p (MortarCoupling), between the axes R of both;
+   * K^2 = 0, since no node is both. On the finest level only: transfers to
+   * coarser ones keep B_0.
    *
    * Columns of K are columns of B_0 as well, so that the matrix
    * B^T A B = (1 - K)^T (B_0^T A B_0) (1 - K) has the sparsity of the one
@@ -34,11 +35,13 @@ namespace StickSlip
   public:
     RotationCoupling() = default;
 
-    /** The coupling of the active slave nodes of @p basis; @p nodes,
-     * @p sparsity: of vectors and matrices in that basis. Collective. */
-    RotationCoupling(const JumpBasis<dim> &basis,
-                     const NodePartition  &nodes,
-                     const BlockSparsity  &sparsity);
+    /** The coupling of the active slave nodes of @p basis; @p frames: the axes
+     * of all nodes, @p nodes, @p sparsity: of vectors and matrices in that
+     * basis. Collective. */
+    RotationCoupling(const JumpBasis<dim>  &basis,
+                     const NodeFrames<dim> &frames,
+                     const NodePartition   &nodes,
+                     const BlockSparsity   &sparsity);
 
     /** True if K is zero on all processes. */
     bool
