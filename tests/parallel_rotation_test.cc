@@ -61,6 +61,33 @@ namespace
 
 
 
+  /** The owned values of a rigid motion, zero at hanging nodes. */
+  template <int dim>
+  void
+  set_values(const MeshLevel<dim>                            &level,
+             const NodePartition                             &nodes,
+             const std::pair<Tensor<1, dim>, Tensor<2, dim>> &motion,
+             NodalVector                                     &u)
+  {
+    for (unsigned int b = 0; b < level.bodies.size(); ++b)
+      {
+        const auto positions = level.bodies[b]->node_positions();
+        for (unsigned int dof = 0; dof < positions.size(); ++dof)
+          {
+            const auto node = level.global_node(b, dof);
+            if (!nodes.owned().is_element(node) ||
+                level.bodies[b]->bound_nodes().is_constrained(dof))
+              continue;
+            const Tensor<1, dim> value =
+              motion.first + motion.second * positions[dof];
+            for (unsigned int d = 0; d < dim; ++d)
+              u.local_element(nodes.local_index(node) * dim + d) = value[d];
+          }
+      }
+  }
+
+
+
   template <int dim>
   void
   rotate_jumps(const NodeFrames<dim> &frames,
@@ -125,12 +152,8 @@ namespace
         double               largest_without = 0.;
         for (const auto &motion : rigid_motions<dim>())
           {
-            const NodalVector u =
-              interpolate(level, [&](const unsigned int, const Point<dim> &x) {
-                return Tensor<1, dim>(motion.first + motion.second * x);
-              });
             NodalVector w = nodes.make_vector(), values = w;
-            std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
+            set_values(level, nodes, motion, values);
             to_jumps.prolongate(w, values, dim);
             rotate_jumps(frames, nodes, w);
             const auto largest = [&]() {

@@ -18,7 +18,7 @@ namespace StickSlip
 
 
 
-    /** What a surface is like around its nodes. */
+    /** Faces around the nodes of a surface. */
     template <int dim>
     class Neighbourhood
     {

@@ -81,7 +81,7 @@ namespace StickSlip
         const double averaging_factor = basis.to_jumps(p).front().second;
         Row         &row              = rows[nodes.local_index(p)];
         for (const auto &[q, matrix] : term)
-          // Where a ghost is a column of an owned row, so are its masters.
+          // Masters of a ghost are columns of the owned rows that it is in.
           if (nodes.is_local(q))
             row.emplace_back(nodes.local_index(q),
                              averaging_factor * transpose(axes_of(p)) * matrix *

@@ -98,7 +98,7 @@ namespace StickSlip
     NodeFrames<dim>
     frames() const;
 
-    /** What the rotation-free jump at a node adds to that of the rows, in the
+    /** Addition of the rotation-free jump at a node to that of the rows, in the
      * axes of space and before the factor of the row: master nodes q and
      * matrices C_pq that are applied to u_q, see MortarCoupling. Empty where
      * there is none. */

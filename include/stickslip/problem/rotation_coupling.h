@@ -13,8 +13,8 @@
 namespace StickSlip
 {
   /**
-   * What makes the jumps of curved faults free of rotations, as a change of
-   * basis of its own: where B_0 is the basis by rows of scalars (JumpBasis),
+   * A change of basis that makes the jumps of curved faults free of rotations:
+   * where B_0 is the basis by rows of scalars (JumpBasis),
    *
    *   B = B_0 (1 - K),   B^-1 = (1 + K) B_0^-1,
    *
