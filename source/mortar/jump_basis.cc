@@ -5,11 +5,20 @@
 #include <stickslip/mortar/jump_basis.h>
 
 #include <algorithm>
+#include <set>
 
 namespace StickSlip
 {
   namespace
   {
+    /** Nodes of the rotation term that the row does not have (integrals can
+     * vanish where faces meet) get this entry, rounding that is just large
+     * enough not to be dropped: the sparsity of products then has a place for
+     * them. */
+    constexpr double least_entry = 2e-14;
+
+
+
     template <int dim>
     std::vector<Point<dim>>
     current_positions(const FaultSurface<dim>           &surface,
@@ -85,9 +94,22 @@ namespace StickSlip
                                       entry.second);
               if (coupling.rotation_rows.empty())
                 continue;
-              for (const auto &[q, matrix] : coupling.rotation_rows[k])
-                rotation_terms[contact.slave_nodes[k]].emplace_back(
-                  contact.master_nodes[q], matrix);
+              std::set<unsigned int> columns;
+              for (const auto &entry : coupling.master_rows[k])
+                columns.insert(entry.first);
+              auto &term = rotation_terms[contact.slave_nodes[k]];
+              for (auto [q, matrix] : coupling.rotation_rows[k])
+                {
+                  const auto node = contact.master_nodes[q];
+                  if (columns.count(q) == 0)
+                    {
+                      partners.emplace_back(node, least_entry);
+                      // The term takes it back.
+                      for (unsigned int d = 0; d < dim; ++d)
+                        matrix[d][d] += least_entry;
+                    }
+                  term.emplace_back(node, matrix);
+                }
             }
         contacts.push_back(std::move(contact));
       }

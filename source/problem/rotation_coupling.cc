@@ -6,6 +6,8 @@
 #include <stickslip/base/make_set.h>
 #include <stickslip/problem/rotation_coupling.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   namespace
@@ -30,6 +32,21 @@ namespace StickSlip
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int d = 0; d < dim; ++d)
           block[c * dim + d] -= value[c][d];
+    }
+
+
+
+    /** The position of an entry that must be there, in any build. */
+    unsigned int
+    position(const BlockSparsity &sparsity,
+             const unsigned int   row,
+             const unsigned int   column)
+    {
+      const auto begin = sparsity.column.begin() + sparsity.row_start[row];
+      const auto end   = sparsity.column.begin() + sparsity.row_start[row + 1];
+      const auto entry = std::lower_bound(begin, end, column);
+      AssertThrow(entry != end && *entry == column, ExcInternalError());
+      return entry - sparsity.column.begin();
     }
 
 
@@ -163,7 +180,7 @@ namespace StickSlip
           {
             const Tensor<2, dim> A_ip = block(A, k);
             for (const auto &[q, matrix] : row->second)
-              subtract(A_ip * matrix, A.block(sparsity.position(i, q)));
+              subtract(A_ip * matrix, A.block(position(sparsity, i, q)));
           }
 
     AlignedVector<double> ghost_values(ghost_rows.column.size() * dim * dim);
@@ -176,9 +193,10 @@ namespace StickSlip
             {
               const unsigned int j = sparsity.column[k];
               double *const      target =
-                q < n_owned ? A.block(sparsity.position(q, j)) :
-                                   ghost_values.data() +
-                                dim * dim * ghost_rows.position(q - n_owned, j);
+                q < n_owned ?
+                       A.block(position(sparsity, q, j)) :
+                       ghost_values.data() +
+                    dim * dim * position(ghost_rows, q - n_owned, j);
               subtract(transpose(matrix) * block(A, k), target);
             }
     exchange.add_to_owners(ghost_values, A.values(), dim * dim);

@@ -100,8 +100,8 @@ namespace StickSlip
 
     /** Addition of the rotation-free jump at a node to that of the rows, in the
      * axes of space and before the factor of the row: master nodes q and
-     * matrices C_pq that are applied to u_q, see MortarCoupling. Empty where
-     * there is none. */
+     * matrices C_pq that are applied to u_q, see MortarCoupling. All q are in
+     * the rows. Empty where there is none. */
     std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>>
     rotation_term(const types::global_dof_index node) const;
 

@@ -23,9 +23,9 @@ namespace StickSlip
    * K^2 = 0, since no node is both. On the finest level only: transfers to
    * coarser ones keep B_0.
    *
-   * Columns of K are columns of B_0 as well, so that the matrix
-   * B^T A B = (1 - K)^T (B_0^T A B_0) (1 - K) has the sparsity of the one
-   * without K.
+   * Columns of K are columns of B_0 as well (JumpBasis sees to that), so that
+   * the matrix B^T A B = (1 - K)^T (B_0^T A B_0) (1 - K) has the sparsity of
+   * the one without K.
    *
    * Without curved faults K is zero, and nothing is stored or done.
    */
