@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
 #include <stickslip/mortar/face_plane.h>
 #include <stickslip/mortar/nodal_normals.h>
 
@@ -154,6 +157,82 @@ namespace StickSlip
         mean[d] -= products[d] * to_node;
       return mean;
     }
+
+
+
+    /** The normal at the node, the origin, of the paraboloid through it that
+     * fits the vertices of a patch, as a function over the plane of the mean
+     * normal. */
+    Tensor<1, 3>
+    fitted_normal_of_vertices(const FaultSurface<3> &surface,
+                              const Tensor<1, 3>    &mean_normal,
+                              const Patch<3>        &patch)
+    {
+      std::map<unsigned int, Tensor<1, 3>> offsets;
+      double                               size = 0.;
+      for (const auto &[face, to_centre] : patch)
+        {
+          const auto vertices  = surface.face_vertices(surface.points, face);
+          const unsigned int n = surface.n_vertices_of(face);
+          Tensor<1, 3>       centre;
+          for (unsigned int v = 0; v < n; ++v)
+            centre += vertices[v] / n;
+          for (unsigned int v = 0; v < n; ++v)
+            {
+              const Tensor<1, 3> offset = to_centre + (vertices[v] - centre);
+              offsets.emplace(surface.faces[face][v], offset);
+              size = std::max(size, offset.norm());
+            }
+        }
+
+      const FacePlane<3>       plane(mean_normal);
+      LAPACKFullMatrix<double> A(5);
+      Vector<double>           b(5), x(5);
+      for (const auto &[vertex, offset] : offsets)
+        {
+          const Tensor<1, 2>          y      = plane.components(offset) / size;
+          const double                height = mean_normal * offset / size;
+          const std::array<double, 5> terms  = {
+             {y[0], y[1], y[0] * y[0], y[0] * y[1], y[1] * y[1]}};
+          for (unsigned int i = 0; i < 5; ++i)
+            {
+              b(i) += terms[i] * height;
+              for (unsigned int j = 0; j < 5; ++j)
+                A(i, j) += terms[i] * terms[j];
+            }
+        }
+      // Terms that the vertices do not tell are zero.
+      A.compute_inverse_svd(1e-8);
+      A.vmult(x, b);
+      return mean_normal - plane.in_space(Tensor<1, 2>({x(0), x(1)}));
+    }
+
+
+
+    /** A fit to the normals of faces where these are known best: at the centres
+     * of segments and quadrilaterals. The normal of a triangle is that of the
+     * surface at no place of its own. */
+    Tensor<1, 2>
+    fit(const FaultSurface<2> &surface,
+        const Tensor<1, 2>    &mean_normal,
+        const Patch<2>        &patch)
+    {
+      return fitted_normal(surface, mean_normal, patch);
+    }
+
+
+
+    Tensor<1, 3>
+    fit(const FaultSurface<3> &surface,
+        const Tensor<1, 3>    &mean_normal,
+        const Patch<3>        &patch)
+    {
+      if (std::any_of(patch.begin(), patch.end(), [&](const auto &face) {
+            return surface.n_vertices_of(face.first) == 3;
+          }))
+        return fitted_normal_of_vertices(surface, mean_normal, patch);
+      return fitted_normal(surface, mean_normal, patch);
+    }
   } // namespace
 
 
@@ -176,7 +255,7 @@ namespace StickSlip
 
         Tensor<1, dim> normal = mean;
         if (!neighbourhood.is_at_edge(p))
-          normal = fitted_normal(surface, mean, around);
+          normal = fit(surface, mean, around);
         else
           {
             // Across a corner there is nothing to be extrapolated.
@@ -184,7 +263,7 @@ namespace StickSlip
             if (std::all_of(wide.begin(), wide.end(), [&](const auto &face) {
                   return surface.normal_of(face.first) * mean > 0.8;
                 }))
-              normal = fitted_normal(surface, mean, wide);
+              normal = fit(surface, mean, wide);
           }
         normals.push_back(normal / normal.norm());
       }

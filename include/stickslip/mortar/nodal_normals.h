@@ -14,7 +14,9 @@ namespace StickSlip
    *
    * A linear function is fitted by least squares to the normals at the centres
    * of the faces around a node and evaluated at the node; around a node at the
-   * edge of the surface, to those of the faces next to these as well. In two
+   * edge of the surface, to those of the faces next to these as well. Among
+   * triangles, whose normals are less accurate, a paraboloid is fitted to the
+   * nodes of the same faces in its place. In two
    * dimensions this is the tangent t ~ e_1 L_2/L_1 + e_2 L_1/L_2 of the
    * parabola through three nodes, with the edges e_i of lengths L_i; it is
    * exact on circles. On smooth surfaces the error is of second order in the
