@@ -109,7 +109,7 @@ namespace StickSlip::Reference
           active.mask_node(level.node(b, line.index));
 
       // The rows of G: one for the jump of each active slave node.
-      const MortarCoupling &coupling = contact.coupling;
+      const auto &coupling = contact.coupling;
       for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
         if (coupling.active[k])
           {

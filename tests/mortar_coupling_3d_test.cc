@@ -185,10 +185,10 @@ TEST(DualMortar3D, DistortedFaces)
   std::mt19937                           random(4);
   std::uniform_real_distribution<double> wiggle(-0.06, 0.06);
   const auto                             distort = [&](Side<3> side) {
-    for (Point<2> &x : side.positions)
+    for (Point<3> &x : side.positions)
       if (std::abs(std::abs(x[0]) - 1.) > 1e-12 &&
           std::abs(std::abs(x[1]) - 1.) > 1e-12)
-        x += Point<2>(wiggle(random), wiggle(random));
+        x += Point<3>(wiggle(random), wiggle(random), 0.);
     return side;
   };
   const auto slave = distort(

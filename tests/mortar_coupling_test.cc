@@ -88,7 +88,7 @@ namespace
 
   /** Compare all entries with integrals over finely cut pieces. */
   void
-  expect_reference(const MortarCoupling &coupling, const Pair &pair)
+  expect_reference(const MortarCoupling<2> &coupling, const Pair &pair)
   {
     const std::vector<double> &x = pair.slave, &y = pair.master;
     const double               inf = std::numeric_limits<double>::infinity();
@@ -161,8 +161,8 @@ namespace
   double
   check(const Pair &pair)
   {
-    const Side<2>        slave = line(pair.slave), master = line(pair.master);
-    const MortarCoupling coupling = couple(slave, master);
+    const Side<2> slave = line(pair.slave), master = line(pair.master);
+    const MortarCoupling<2> coupling = couple(slave, master);
     expect_consistent(coupling, slave, master, pair.length());
     expect_reference(coupling, pair);
     if (coupling.lost_area == 0.)
@@ -191,11 +191,11 @@ TEST(DualMortar, MatchingMeshesAreTheIdentity)
   for (const auto &x : {uniform_breakpoints(160, -2.5, 2.5),
                         random_breakpoints(37, -2.5, 2.5, random)})
     {
-      const Side<2>        side     = line(x);
-      const MortarCoupling coupling = couple(side, shuffle(side, random));
+      const Side<2>           side     = line(x);
+      const MortarCoupling<2> coupling = couple(side, shuffle(side, random));
       EXPECT_NEAR(coupling.covered_area, 5., 1e-13);
 
-      const MortarCoupling same = couple(side, side);
+      const MortarCoupling<2> same = couple(side, side);
       for (unsigned int p = 0; p < x.size(); ++p)
         {
           ASSERT_TRUE(same.active[p]);
@@ -271,7 +271,7 @@ TEST(DualMortar, NumberingDoesNotMatter)
   const auto   mixed        = couple(mixed_slave, mixed_master);
   expect_consistent(mixed, mixed_slave, mixed_master, 4.7);
 
-  const auto find = [](const Side<2> &side, const Point<1> &x) {
+  const auto find = [](const Side<2> &side, const Point<2> &x) {
     return std::find(side.positions.begin(), side.positions.end(), x) -
            side.positions.begin();
   };
@@ -297,9 +297,9 @@ TEST(DualMortar, ExcludedNodesHandTheirShareToTheirNeighbours)
   const auto y = uniform_breakpoints(5, 0., 2.);
 
   std::vector<bool> excluded(9, false);
-  excluded[0] = excluded[8]  = true;
-  const Side<2>        slave = line(x), master = line(y);
-  const MortarCoupling coupling = couple(slave, master, excluded);
+  excluded[0] = excluded[8]     = true;
+  const Side<2>           slave = line(x), master = line(y);
+  const MortarCoupling<2> coupling = couple(slave, master, excluded);
   expect_consistent(coupling, slave, master, 2.);
   expect_constant_traction(coupling,
                            hat_integrals(x, 0., 2.),
@@ -322,13 +322,14 @@ TEST(DualMortar, ExcludedNodesHandTheirShareToTheirNeighbours)
     }
 
   // Two neighbours: the face between them has nobody to carry its load.
-  excluded[1]                = true;
-  const MortarCoupling lossy = couple(slave, master, excluded);
+  excluded[1]                   = true;
+  const MortarCoupling<2> lossy = couple(slave, master, excluded);
   expect_consistent(lossy, slave, master, 2.);
   EXPECT_NEAR(lossy.lost_area, 0.25, 1e-15);
   EXPECT_NEAR(lossy.covered_area, 1.75, 1e-15);
 
-  const MortarCoupling none = couple(slave, master, std::vector<bool>(9, true));
+  const MortarCoupling<2> none =
+    couple(slave, master, std::vector<bool>(9, true));
   expect_consistent(none, slave, master, 2.);
   EXPECT_EQ(none.covered_area, 0.);
 }
@@ -340,7 +341,8 @@ TEST(DualMortar, NoContact)
   const auto x = uniform_breakpoints(8, 0., 2.);
   for (const double shift : {2., 2.5, -2., -100.})
     {
-      const MortarCoupling coupling = couple(line(x), line(shifted(x, shift)));
+      const MortarCoupling<2> coupling =
+        couple(line(x), line(shifted(x, shift)));
       EXPECT_EQ(coupling.covered_area, 0.);
       EXPECT_EQ(coupling.lost_area, 0.);
       EXPECT_EQ(
@@ -348,7 +350,7 @@ TEST(DualMortar, NoContact)
     }
 
   // A last touch that no node carries is lost, and bounded as promised.
-  const MortarCoupling touch = couple(line(x), line(shifted(x, 1.98)));
+  const MortarCoupling<2> touch = couple(line(x), line(shifted(x, 1.98)));
   EXPECT_EQ(touch.covered_area, 0.);
   EXPECT_NEAR(touch.lost_area, 0.02, 1e-15);
   EXPECT_LT(touch.lost_area, 0.25 * 0.25);

@@ -47,7 +47,7 @@ namespace
   {
     return compute_face_overlap<dim>(slave.surface,
                                      slave.positions,
-                                     master.surface,
+                                     reversed(master.surface),
                                      master.positions);
   }
 
@@ -252,10 +252,14 @@ TEST(FaceOverlap, NumberingDoesNotMatter)
     overlap(shuffle(slave, random), shuffle(master, random));
   ASSERT_EQ(cells.size(), shuffled.size());
   std::set<unsigned int> finished;
+  auto                   sorted = shuffled;
+  std::sort(sorted.begin(), sorted.end(), [](const auto &a, const auto &b) {
+    return a.vertices[0][0] < b.vertices[0][0];
+  });
   for (unsigned int i = 0; i < cells.size(); ++i)
     {
-      EXPECT_EQ(cells[i].vertices[0], shuffled[i].vertices[0]);
-      EXPECT_EQ(cells[i].vertices[1], shuffled[i].vertices[1]);
+      EXPECT_EQ(cells[i].vertices[0], sorted[i].vertices[0]);
+      EXPECT_EQ(cells[i].vertices[1], sorted[i].vertices[1]);
       // The cells of a slave face follow each other.
       if (i > 0 && shuffled[i].slave_face != shuffled[i - 1].slave_face)
         {
@@ -285,10 +289,27 @@ TEST(FaceOverlap, SliversAreDropped)
 
 
 
-TEST(FaceOverlap, FacesOnTopOfEachOtherAreRefused)
+TEST(FaceOverlap, FacesTurnedAroundAreRefused)
 {
-  EXPECT_THROW(overlap(line({0., 1., 0.5}), line({0., 1.})), ExcMessage);
-  EXPECT_THROW(overlap(line({0., 1.}), line({0., 1., 0.5})), ExcMessage);
+  Side<2> folded         = line({0., 1., 2.});
+  folded.positions[2][0] = 0.5;
+  EXPECT_THROW(overlap(folded, line({0., 1.})), ExcMessage);
+  EXPECT_THROW(overlap(line({0., 1.}), folded), ExcMessage);
+}
+
+
+
+TEST(FaceOverlap, FacesOfTheSameOrientationDoNotCouple)
+{
+  const Side<2> side  = line({0., 1., 2.});
+  const auto    cells = [&](const FaultSurface<2> &master) {
+    return compute_face_overlap<2>(side.surface,
+                                   side.positions,
+                                   master,
+                                   side.positions);
+  };
+  EXPECT_EQ(cells(reversed(side.surface)).size(), 2u);
+  EXPECT_EQ(cells(side.surface).size(), 0u);
 }
 
 

@@ -65,10 +65,11 @@ namespace
     Side<3>            side;
     side.surface.period[0] = x.back() - x.front();
     side.surface.period[1] = y.back() - y.front();
+    side.surface.normal[2] = 1.;
     for (unsigned int j = 0; j < ny; ++j)
       for (unsigned int i = 0; i < nx; ++i)
         {
-          side.positions.push_back(Point<2>(x[i], y[j]));
+          side.positions.push_back(Point<3>(x[i], y[j], 0.));
           side.surface.points.push_back(Point<3>(x[i], y[j], 0.));
           side.surface.nodes.push_back(side.surface.nodes.size());
           side.surface.faces.emplace_back();
@@ -88,8 +89,7 @@ namespace
 
   /** A row with the images of a node taken together. */
   std::map<unsigned int, double>
-  folded(const MortarCoupling::SparseRow         &row,
-         const std::function<unsigned(unsigned)> &fold)
+  folded(const SparseRow &row, const std::function<unsigned(unsigned)> &fold)
   {
     std::map<unsigned int, double> result;
     for (const auto &[column, value] : row)
@@ -100,7 +100,7 @@ namespace
 
 
   void
-  expect_row(const MortarCoupling::SparseRow      &row,
+  expect_row(const SparseRow                      &row,
              const std::map<unsigned int, double> &expected)
   {
     std::map<unsigned int, double> found(row.begin(), row.end());
@@ -112,9 +112,10 @@ namespace
 
 
 
+  template <int dim>
   void
-  expect_everything_in_contact(const MortarCoupling &coupling,
-                               const double          area)
+  expect_everything_in_contact(const MortarCoupling<dim> &coupling,
+                               const double               area)
   {
     EXPECT_NEAR(coupling.covered_area, area, 1e-12 * area);
     EXPECT_NEAR(coupling.lost_area, 0., 1e-12 * area);
@@ -143,12 +144,12 @@ TEST(PeriodicFault, IsTheMiddleOfAnUnrolledOne)
   const auto   y = random_breakpoints(5, 0., 2., random);
   for (const double slid : {0., 0.3, -0.4, 1.999, 2., 7.1, -123.4})
     {
-      const MortarCoupling coupling =
+      const MortarCoupling<2> coupling =
         couple(periodic_line(moved(x, slid)), periodic_line(y));
       expect_everything_in_contact(coupling, 2.);
 
-      const double         rest = slid - 2. * std::floor(slid / 2.);
-      const MortarCoupling unrolled =
+      const double            rest = slid - 2. * std::floor(slid / 2.);
+      const MortarCoupling<2> unrolled =
         couple(line(repeat(moved(x, rest), -1, 1)), line(repeat(y, -2, 3)));
       for (unsigned int p = 0; p < 7; ++p)
         {
@@ -172,14 +173,14 @@ TEST(PeriodicFault, IsTheMiddleOfAnUnrolledOneInThreeDimensions)
   for (const Point<2> &slid :
        {Point<2>(), Point<2>(0.7, 0.2), Point<2>(-9.3, 14.6)})
     {
-      const MortarCoupling coupling =
+      const MortarCoupling<3> coupling =
         couple(periodic_grid(moved(x, slid[0]), moved(y, slid[1])),
                periodic_grid(a, b));
       expect_everything_in_contact(coupling, 2.);
 
       const double rest_x = slid[0] - 2. * std::floor(slid[0] / 2.),
                    rest_y = slid[1] - std::floor(slid[1]);
-      const MortarCoupling unrolled =
+      const MortarCoupling<3> unrolled =
         couple(grid(repeat(moved(x, rest_x), -1, 1),
                     repeat(moved(y, rest_y), -1, 1)),
                grid(repeat(a, -2, 3), repeat(b, -2, 3)));
@@ -208,7 +209,7 @@ TEST(PeriodicFault, OneFaceThatMeetsItself)
   const std::vector<double> ends = {0., 0.5};
   for (const double slid : {0., 0.2, -0.5, 3.3})
     {
-      const MortarCoupling coupling =
+      const MortarCoupling<2> coupling =
         couple(periodic_line(moved(ends, slid)), periodic_line(ends));
       expect_everything_in_contact(coupling, 0.5);
       ASSERT_EQ(coupling.master_rows.size(), 1u);
@@ -224,7 +225,7 @@ TEST(PeriodicFault, MatchingMeshesMatchAfterAFullPeriod)
   const auto   x = random_breakpoints(6, -1., 1., random);
   for (const int periods : {-2, -1, 0, 1, 5})
     {
-      const MortarCoupling coupling =
+      const MortarCoupling<2> coupling =
         couple(periodic_line(moved(x, 2. * periods)), periodic_line(x));
       for (unsigned int p = 0; p < 6; ++p)
         expect_row(coupling.master_rows[p], {{p, 1.}});

@@ -16,13 +16,26 @@
 
 namespace StickSlip
 {
-  /** One side of a fault and the positions of its nodes in the fault plane. */
+  /** One side of a fault and the positions of its nodes. */
   template <int dim>
   struct Side
   {
-    FaultSurface<dim>           surface;
-    std::vector<Point<dim - 1>> positions;
+    FaultSurface<dim>       surface;
+    std::vector<Point<dim>> positions;
   };
+
+
+
+  /** The surface with its normals reversed: a side that faces that one. */
+  template <int dim>
+  FaultSurface<dim>
+  reversed(FaultSurface<dim> surface)
+  {
+    surface.normal *= -1.;
+    for (Tensor<1, dim> &normal : surface.face_normals)
+      normal *= -1.;
+    return surface;
+  }
 
 
 
@@ -65,12 +78,13 @@ namespace StickSlip
     Side<2> side;
     for (const double x : breakpoints)
       {
-        side.positions.push_back(Point<1>(x));
+        side.positions.push_back(Point<2>(x, 0.));
         side.surface.points.push_back(Point<2>(x, 0.));
         side.surface.nodes.push_back(side.surface.nodes.size());
       }
     for (unsigned int i = 0; i + 1 < breakpoints.size(); ++i)
       side.surface.faces.push_back({{i, i + 1}});
+    side.surface.normal[1] = 1.;
     return side;
   }
 
@@ -87,10 +101,10 @@ namespace StickSlip
       for (const double a : x)
         {
           side.positions.push_back(
-            Point<2>(std::cos(angle) * a - std::sin(angle) * b,
-                     std::sin(angle) * a + std::cos(angle) * b));
-          side.surface.points.push_back(
-            Point<3>(side.positions.back()[0], side.positions.back()[1], 0.));
+            Point<3>(std::cos(angle) * a - std::sin(angle) * b,
+                     std::sin(angle) * a + std::cos(angle) * b,
+                     0.));
+          side.surface.points.push_back(side.positions.back());
           side.surface.nodes.push_back(side.surface.nodes.size());
         }
     const unsigned int n = x.size();
@@ -98,6 +112,7 @@ namespace StickSlip
       for (unsigned int i = 0; i + 1 < n; ++i)
         side.surface.faces.push_back(
           {{j * n + i, j * n + i + 1, (j + 1) * n + i, (j + 1) * n + i + 1}});
+    side.surface.normal[2] = 1.;
     return side;
   }
 
@@ -136,15 +151,16 @@ namespace StickSlip
 
 
 
+  /** The coupling of two sides whose normals are on the same side. */
   template <int dim>
-  MortarCoupling
+  MortarCoupling<dim>
   couple(const Side<dim>         &slave,
          const Side<dim>         &master,
          const std::vector<bool> &excluded = {})
   {
     return build_mortar_coupling<dim>(slave.surface,
                                       slave.positions,
-                                      master.surface,
+                                      reversed(master.surface),
                                       master.positions,
                                       excluded);
   }
@@ -152,7 +168,7 @@ namespace StickSlip
 
 
   inline double
-  row_sum(const MortarCoupling::SparseRow &row)
+  row_sum(const SparseRow &row)
   {
     double sum = 0.;
     for (const auto &entry : row)
@@ -163,7 +179,7 @@ namespace StickSlip
 
 
   inline double
-  entry(const MortarCoupling::SparseRow &row, const unsigned int column)
+  entry(const SparseRow &row, const unsigned int column)
   {
     for (const auto &entry : row)
       if (entry.first == column)
@@ -180,11 +196,11 @@ namespace StickSlip
    */
   template <int dim>
   void
-  expect_consistent(const MortarCoupling &coupling,
-                    const Side<dim>      &slave,
-                    const Side<dim>      &master,
-                    const double          overlap_area,
-                    const double          tolerance = 1e-13)
+  expect_consistent(const MortarCoupling<dim> &coupling,
+                    const Side<dim>           &slave,
+                    const Side<dim>           &master,
+                    const double               overlap_area,
+                    const double               tolerance = 1e-13)
   {
     double total = 0.;
     for (unsigned int p = 0; p < slave.positions.size(); ++p)
@@ -205,7 +221,7 @@ namespace StickSlip
                     1.,
                     tolerance);
 
-        Tensor<1, dim - 1> jump = slave.positions[p];
+        Tensor<1, dim> jump = slave.positions[p];
         for (const auto &[q, value] : coupling.master_rows[p])
           jump -= value * master.positions[q];
         for (const auto &[k, value] : coupling.inactive_slave_rows[p])
@@ -227,8 +243,9 @@ namespace StickSlip
    * function, and each slave node likewise: the patch test, seen from the
    * fault.
    */
-  inline void
-  expect_constant_traction(const MortarCoupling      &coupling,
+  template <int dim>
+  void
+  expect_constant_traction(const MortarCoupling<dim> &coupling,
                            const std::vector<double> &slave_integrals,
                            const std::vector<double> &master_integrals,
                            const double               tolerance = 1e-13)

@@ -7,6 +7,7 @@
 #include <stickslip/algebra/galerkin_product.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
+#include <stickslip/mortar/nodal_normals.h>
 
 namespace StickSlip::Tests
 {
@@ -104,15 +105,28 @@ namespace StickSlip::Tests
 
 
 
-  /** The jump basis of a level without displacement. */
+  /** The jump basis of a level without displacement, with the axes of its own
+   * surfaces. */
   template <int dim>
   JumpBasis<dim>
-  undeformed_basis(const MeshLevel<dim>          &level,
-                   const std::vector<FaultSides> &sides,
-                   const NodeMask                &dirichlet)
+  undeformed_basis(
+    const MeshLevel<dim>          &level,
+    const std::vector<FaultSides> &sides,
+    const NodeMask                &dirichlet,
+    const Tensor<1, dim>          &reference = FaultAxes<dim>::first_axis())
   {
+    std::vector<FaultAxes<dim>> axes;
+    for (unsigned int f = 0; f < sides.size(); ++f)
+      {
+        std::vector<Tensor<1, dim>> normals =
+          nodal_normals(level.surface(f, sides[f].slave));
+        for (Tensor<1, dim> &normal : normals)
+          normal *= -sides[f].sign();
+        axes.emplace_back(normals, reference);
+      }
     return JumpBasis<dim>(level,
                           sides,
+                          axes,
                           gather_fault_displacements(level,
                                                      sides,
                                                      level.nodes.make_vector()),

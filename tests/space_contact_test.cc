@@ -175,7 +175,7 @@ TEST(Contact, NodesSlidOffTheEndCarryNothing)
 
         const JumpBasis<2>    &basis    = scene.problem.jump_basis();
         const FaultContact<2> &fault    = basis.faults()[0];
-        const MortarCoupling  &coupling = fault.coupling;
+        const auto            &coupling = fault.coupling;
         const double           overlap  = 5. - std::abs(distance);
         EXPECT_NEAR(coupling.covered_area, overlap, 1e-12);
         EXPECT_NEAR(sum(coupling.weight), overlap, 1e-12);
@@ -254,9 +254,9 @@ TEST(Contact, ForcesCarryTheWeightAbove)
                 weight += of_body;
                 weight_moment += b >= first_slid ? of_body * distance : 0.;
               }
-            const MortarCoupling &coupling = faults[f].coupling;
-            const double          sign     = faults[f].sides.sign();
-            double                force = 0., moment = 0.;
+            const auto  &coupling = faults[f].coupling;
+            const double sign     = faults[f].sides.sign();
+            double       force = 0., moment = 0.;
             for (unsigned int k = 0; k < coupling.weight.size(); ++k, ++node)
               {
                 const double of_node =

@@ -61,7 +61,7 @@ TEST(SideOfTwoBodies, IsCoupledAsAWhole)
           const MeshLevel<2> &level = meshes.level(l);
           const JumpBasis<2>  basis =
             undeformed_basis(level, sides, NodeMask(level.n_nodes(), 2));
-          const MortarCoupling &coupling = basis.faults()[0].coupling;
+          const auto &coupling = basis.faults()[0].coupling;
           EXPECT_NEAR(coupling.covered_area, 5., 1e-12);
           EXPECT_EQ(basis.contact_nodes().size(),
                     level.surface(0, sides[0].slave).nodes.size());

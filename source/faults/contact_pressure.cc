@@ -50,7 +50,7 @@ namespace StickSlip
               contact.coupling.active[k] ? k : nearest_in_contact(contact, k);
             // The unknown is averaging_factor times the jump of the node, and
             // so is the force on it times the weight.
-            pressures.push_back(sign * (contact.axes.normal() * forces[m]) /
+            pressures.push_back(sign * contact.axes.normal_part(m, forces[m]) /
                                 contact.coupling.weight[m]);
           }
       }

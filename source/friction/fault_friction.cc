@@ -15,11 +15,8 @@ namespace StickSlip
 {
   namespace
   {
-    /**
-     * The axes of a node's block. The faults are horizontal; where they are
-     * not, these two functions are to be replaced by ones that know the axes
-     * of each node.
-     */
+    /** Tangential components of a node's block come first, whatever its axes
+     * are. */
     template <int dim>
     constexpr unsigned int normal_component = dim - 1;
 

@@ -257,18 +257,18 @@ namespace StickSlip
       // Degrees of freedom, then positions in the surface.
       std::array<types::global_dof_index, n_vertices>  dofs;
       std::array<std::array<int, dim - 1>, n_vertices> wraps;
+      Tensor<1, dim>                                   outward;
     };
 
     std::map<types::global_dof_index, Point<dim>> nodes;
     std::vector<Face>                             faces;
-    Tensor<1, dim>                                outward;
     for (const auto &cell : dofs->active_cell_iterators())
       if (cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == side)
             {
-              outward += outward_area<dim>(face, cell->center());
               faces.emplace_back();
+              faces.back().outward = outward_area<dim>(face, cell->center());
               for (unsigned int v = 0; v < n_vertices; ++v)
                 {
                   const auto [dof, wraps] =
@@ -318,8 +318,10 @@ namespace StickSlip
           surface.wraps.push_back(face.wraps);
       }
     surface.period = period;
-    for (unsigned int d = 0; d < dim && !faces.empty(); ++d)
-      surface.normal[d] = outward[d] / outward.norm();
+    std::vector<Tensor<1, dim>> areas;
+    for (const Face &face : faces)
+      areas.push_back(face.outward);
+    surface.set_normals(areas);
     return surface;
   }
 

@@ -137,6 +137,7 @@ namespace StickSlip
   {
     FaultSurface<dim>                               result;
     std::map<types::global_dof_index, unsigned int> places;
+    std::vector<Tensor<1, dim>>                     face_areas;
     for (const BodySide &part : parts)
       {
         FaultSurface<dim> surface = bodies[part.body]->surface(part.side);
@@ -153,18 +154,20 @@ namespace StickSlip
             result.nodes.push_back(node);
             result.points.push_back(surface.points[k]);
           }
-        for (auto &face : surface.faces)
+        for (unsigned int f = 0; f < surface.faces.size(); ++f)
           {
-            for (unsigned int &vertex : face)
-              vertex = place_of[vertex];
-            result.faces.push_back(face);
+            // Sizes only weight the mean of the normals here.
+            face_areas.push_back(surface.face_size(f) * surface.normal_of(f));
+            for (unsigned int v = 0; v < surface.n_vertices_of(f); ++v)
+              surface.faces[f][v] = place_of[surface.faces[f][v]];
+            result.faces.push_back(surface.faces[f]);
           }
         result.wraps.insert(result.wraps.end(),
                             surface.wraps.begin(),
                             surface.wraps.end());
         result.period = surface.period;
-        result.normal = surface.normal;
       }
+    result.set_normals(face_areas);
     return result;
   }
 

@@ -7,10 +7,11 @@
 #include <stickslip/mortar/dual_basis.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/face_overlap.h>
-#include <stickslip/mortar/face_shape.h>
 
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <type_traits>
 
 namespace StickSlip
@@ -29,7 +30,7 @@ namespace StickSlip
     template <int dim>
     struct FaceIntegrals
     {
-      static constexpr unsigned int n = FaceShape<dim>::n_vertices;
+      static constexpr unsigned int n = FaceShape<dim>::max_vertices;
 
       /** int phi_i phi_j of the slave's shape functions. */
       typename DualBasis<dim>::Matrix mass = {};
@@ -37,8 +38,39 @@ namespace StickSlip
       /** int phi_i phi_q with the shape functions of master node q. */
       std::map<unsigned int, std::array<double, n>> mixed;
 
+      /** int phi_i g grad phi_q with the gap g, along the axes of the plane of
+       * the face; empty between plane sides. */
+      std::map<unsigned int, std::array<Tensor<1, dim - 1>, n>> slopes;
+
       double area = 0.;
     };
+
+
+
+    /** Elevations of the vertices of a face above the origin along a normal, m.
+     */
+    template <int dim>
+    std::array<double, FaceShape<dim>::max_vertices>
+    elevations(const Tensor<1, dim>          &normal,
+               const FaultSurface<dim>       &surface,
+               const std::vector<Point<dim>> &positions,
+               const unsigned int             face)
+    {
+      std::array<double, FaceShape<dim>::max_vertices> result = {};
+      const auto vertices = surface.face_vertices(positions, face);
+      for (unsigned int v = 0; v < surface.n_vertices_of(face); ++v)
+        result[v] = normal * vertices[v];
+      return result;
+    }
+
+
+
+    template <typename Values>
+    double
+    product(const Values &a, const Values &b)
+    {
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    }
 
 
 
@@ -61,31 +93,57 @@ namespace StickSlip
 
     template <int dim>
     std::vector<FaceIntegrals<dim>>
-    integrate_faces(const FaultSurface<dim>           &slave,
-                    const std::vector<Point<dim - 1>> &slave_positions,
-                    const FaultSurface<dim>           &master,
-                    const std::vector<Point<dim - 1>> &master_positions)
+    integrate_faces(const FaultSurface<dim>       &slave,
+                    const std::vector<Point<dim>> &slave_positions,
+                    const FaultSurface<dim>       &master,
+                    const std::vector<Point<dim>> &master_positions)
     {
       const Quadrature<dim - 1> quadrature =
         cell_quadrature(std::integral_constant<int, dim>());
       double reference_area = 0.;
       for (const double weight : quadrature.get_weights())
         reference_area += weight;
+      const bool are_plane = slave.is_plane() && master.is_plane();
 
       std::vector<FaceIntegrals<dim>> integrals(slave.faces.size());
-      for (const OverlapCell<dim> &cell : compute_face_overlap(
-             slave, slave_positions, master, master_positions))
+      // Cells of one pair of faces follow each other.
+      const OverlapCell<dim>             *last = nullptr;
+      std::optional<FacePlane<dim>>       plane;
+      std::optional<FaceShape<dim>>       slave_shape, master_shape;
+      const std::vector<OverlapCell<dim>> cells =
+        compute_face_overlap(slave, slave_positions, master, master_positions);
+      for (const OverlapCell<dim> &cell : cells)
         {
           const auto          &master_face = master.faces[cell.master_face];
-          const FaceShape<dim> slave_shape(
-            slave.face_vertices(slave_positions, cell.slave_face));
-          const FaceShape<dim> master_shape(
-            master.face_vertices(master_positions, cell.master_face));
+          const Tensor<1, dim> normal      = slave.normal_of(cell.slave_face);
+          const bool           is_new_slave =
+            last == nullptr || last->slave_face != cell.slave_face;
+          if (is_new_slave)
+            {
+              plane.emplace(normal);
+              slave_shape.emplace(
+                project_face(*plane, slave, slave_positions, cell.slave_face));
+            }
+          if (is_new_slave || last->master_face != cell.master_face)
+            master_shape.emplace(
+              project_face(*plane, master, master_positions, cell.master_face));
+          last = &cell;
           // From the slave face to the master face, whose image it meets.
-          Tensor<1, dim - 1> shift;
+          Tensor<1, dim> shift;
           for (unsigned int d = 0; d < dim - 1; ++d)
             shift[d] = -cell.master_wraps[d] * slave.period[d];
-          FaceIntegrals<dim> &face = integrals[cell.slave_face];
+          const Tensor<1, dim - 1> shift_in_plane = plane->components(shift);
+          FaceIntegrals<dim>      &face           = integrals[cell.slave_face];
+
+          std::array<double, FaceIntegrals<dim>::n> slave_heights  = {},
+                                                    master_heights = {};
+          if (!are_plane)
+            {
+              slave_heights =
+                elevations(normal, slave, slave_positions, cell.slave_face);
+              master_heights =
+                elevations(normal, master, master_positions, cell.master_face);
+            }
 
           const double scale = cell.measure() / reference_area;
           face.area += cell.measure();
@@ -95,19 +153,33 @@ namespace StickSlip
               for (unsigned int d = 0; d < dim - 1; ++d)
                 x += quadrature.point(g)[d] *
                      (cell.vertices[d + 1] - cell.vertices[0]);
-              const double JxW         = quadrature.weight(g) * scale;
-              const auto   slave_phi   = slave_shape.shape_values(x);
-              const auto   master_phi  = master_shape.shape_values(x + shift);
-              constexpr unsigned int n = FaceIntegrals<dim>::n;
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j < n; ++j)
+              const double         JxW       = quadrature.weight(g) * scale;
+              const Point<dim - 1> on_master = x + shift_in_plane;
+              const auto           slave_phi = slave_shape->shape_values(x);
+              const auto master_phi = master_shape->shape_values(on_master);
+              const unsigned int n_slave  = slave_shape->n_vertices();
+              const unsigned int n_master = master_shape->n_vertices();
+              for (unsigned int i = 0; i < n_slave; ++i)
+                for (unsigned int j = 0; j < n_slave; ++j)
                   face.mass[i][j] += slave_phi[i] * slave_phi[j] * JxW;
-              for (unsigned int j = 0; j < n; ++j)
+              for (unsigned int j = 0; j < n_master; ++j)
                 {
                   auto &column =
                     face.mixed.try_emplace(master_face[j]).first->second;
-                  for (unsigned int i = 0; i < n; ++i)
+                  for (unsigned int i = 0; i < n_slave; ++i)
                     column[i] += slave_phi[i] * master_phi[j] * JxW;
+                }
+              if (are_plane)
+                continue;
+              const double gap = product(slave_phi, slave_heights) -
+                                 product(master_phi, master_heights) +
+                                 shift * normal;
+              const auto slopes = master_shape->shape_gradients(on_master);
+              for (unsigned int j = 0; j < n_master; ++j)
+                {
+                  auto &column = face.slopes[master_face[j]];
+                  for (unsigned int i = 0; i < n_slave; ++i)
+                    column[i] += slave_phi[i] * gap * JxW * slopes[j];
                 }
             }
         }
@@ -116,11 +188,11 @@ namespace StickSlip
 
 
 
-    MortarCoupling::SparseRow
+    SparseRow
     normalised_row(const std::map<unsigned int, double> &row,
                    const double                          diagonal)
     {
-      MortarCoupling::SparseRow result;
+      SparseRow result;
       for (const auto &[column, value] : row)
         if (std::abs(value) > entry_tolerance * diagonal)
           result.emplace_back(column, value / diagonal);
@@ -131,16 +203,15 @@ namespace StickSlip
 
 
   template <int dim>
-  MortarCoupling
-  build_mortar_coupling(const FaultSurface<dim>           &slave,
-                        const std::vector<Point<dim - 1>> &slave_positions,
-                        const FaultSurface<dim>           &master,
-                        const std::vector<Point<dim - 1>> &master_positions,
-                        const std::vector<bool>           &excluded)
+  MortarCoupling<dim>
+  build_mortar_coupling(const FaultSurface<dim>       &slave,
+                        const std::vector<Point<dim>> &slave_positions,
+                        const FaultSurface<dim>       &master,
+                        const std::vector<Point<dim>> &master_positions,
+                        const std::vector<bool>       &excluded)
   {
-    constexpr unsigned int n       = FaceShape<dim>::n_vertices;
-    const unsigned int     n_nodes = slave_positions.size();
-    const unsigned int     n_faces = slave.faces.size();
+    const unsigned int n_nodes = slave_positions.size();
+    const unsigned int n_faces = slave.faces.size();
     Assert(excluded.empty() || excluded.size() == n_nodes,
            ExcDimensionMismatch(excluded.size(), n_nodes));
 
@@ -151,10 +222,13 @@ namespace StickSlip
     std::vector<double>         diagonal(n_nodes), full_weight(n_nodes);
     for (unsigned int f = 0; f < n_faces; ++f)
       {
-        bases.emplace_back(integrals[f].mass);
-        const auto full =
-          FaceShape<dim>(slave.face_vertices(slave_positions, f))
-            .shape_integrals();
+        const unsigned int n = slave.n_vertices_of(f);
+        bases.emplace_back(integrals[f].mass, n);
+        const auto full = project_face(FacePlane<dim>(slave.normal_of(f)),
+                                       slave,
+                                       slave_positions,
+                                       f)
+                            .shape_integrals();
         for (unsigned int i = 0; i < n; ++i)
           {
             full_weight[slave.faces[f][i]] += full[i];
@@ -164,7 +238,7 @@ namespace StickSlip
           }
       }
 
-    MortarCoupling coupling;
+    MortarCoupling<dim> coupling;
     coupling.active.resize(n_nodes);
     coupling.weight.resize(n_nodes);
     coupling.averaging_factor.resize(n_nodes);
@@ -176,12 +250,16 @@ namespace StickSlip
         diagonal[p] >= active_weight_fraction * full_weight[p] &&
         !(excluded.size() > 0 && excluded[p]);
 
-    std::vector<std::map<unsigned int, double>> M(n_nodes), E(n_nodes);
+    std::vector<std::map<unsigned int, double>>         M(n_nodes), E(n_nodes);
+    std::vector<std::map<unsigned int, Tensor<2, dim>>> C;
+    if (!slave.is_plane() || !master.is_plane())
+      C.resize(n_nodes);
     for (unsigned int f = 0; f < n_faces; ++f)
       {
-        const auto         &face     = slave.faces[f];
-        unsigned int        n_active = 0;
-        std::array<bool, n> active;
+        const auto        &face     = slave.faces[f];
+        const unsigned int n        = slave.n_vertices_of(f);
+        unsigned int       n_active = 0;
+        std::array<bool, FaceShape<dim>::max_vertices> active = {};
         for (unsigned int i = 0; i < n; ++i)
           {
             active[i] = coupling.active[face[i]];
@@ -205,23 +283,38 @@ namespace StickSlip
                   for (unsigned int j = 0; j < n; ++j)
                     entry += A[i][j] * column[j];
                 }
+              for (const auto &[q, column] : integrals[f].slopes)
+                {
+                  Tensor<1, dim - 1> slope;
+                  for (unsigned int j = 0; j < n; ++j)
+                    slope += A[i][j] * column[j];
+                  C[face[i]][q] += outer_product(
+                    FacePlane<dim>(slave.normal_of(f)).in_space(slope),
+                    slave.normal_of(f));
+                }
               for (unsigned int k = 0; k < n; ++k)
                 {
-                  double product = 0.;
+                  double integral = 0.;
                   for (unsigned int j = 0; j < n; ++j)
-                    product += A[i][j] * integrals[f].mass[j][k];
+                    integral += A[i][j] * integrals[f].mass[j][k];
                   // The integral against the node's own shape function is
                   // in the diagonal, that against other active ones zero.
-                  coupling.weight[face[i]] += product;
+                  coupling.weight[face[i]] += integral;
                   if (!active[k])
-                    E[face[i]][face[k]] -= product;
+                    E[face[i]][face[k]] -= integral;
                 }
             }
       }
 
+    if (!C.empty())
+      coupling.rotation_rows.resize(n_nodes);
     for (unsigned int p = 0; p < n_nodes; ++p)
       if (coupling.active[p])
         {
+          if (!C.empty())
+            for (const auto &[q, value] : C[p])
+              if (value.norm() > entry_tolerance * diagonal[p])
+                coupling.rotation_rows[p].emplace_back(q, value / diagonal[p]);
           coupling.averaging_factor[p]    = diagonal[p] / coupling.weight[p];
           coupling.master_rows[p]         = normalised_row(M[p], diagonal[p]);
           coupling.inactive_slave_rows[p] = normalised_row(E[p], diagonal[p]);
@@ -231,16 +324,19 @@ namespace StickSlip
 
 
 
-  template MortarCoupling
+  template struct MortarCoupling<2>;
+  template struct MortarCoupling<3>;
+
+  template MortarCoupling<2>
   build_mortar_coupling(const FaultSurface<2> &,
-                        const std::vector<Point<1>> &,
+                        const std::vector<Point<2>> &,
                         const FaultSurface<2> &,
-                        const std::vector<Point<1>> &,
+                        const std::vector<Point<2>> &,
                         const std::vector<bool> &);
-  template MortarCoupling
+  template MortarCoupling<3>
   build_mortar_coupling(const FaultSurface<3> &,
-                        const std::vector<Point<2>> &,
+                        const std::vector<Point<3>> &,
                         const FaultSurface<3> &,
-                        const std::vector<Point<2>> &,
+                        const std::vector<Point<3>> &,
                         const std::vector<bool> &);
 } // namespace StickSlip

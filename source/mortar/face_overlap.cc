@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/exceptions.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <stickslip/mortar/face_overlap.h>
-#include <stickslip/mortar/face_shape.h>
+#include <stickslip/mortar/face_search.h>
 #include <stickslip/mortar/polygon_clipping.h>
 
 #include <algorithm>
@@ -32,116 +30,105 @@ namespace StickSlip
 
 
 
-    /** A face on a line, with its ends in increasing order. */
-    struct Interval
+    /** A positive or negative number for the two senses in which the vertices
+     * of a face run in its plane. */
+    double
+    sense(const FacePlane<2> &plane, const std::array<Point<2>, 2> &v)
     {
-      double       lower;
-      double       upper;
-      unsigned int face;
-      int          wraps;
-    };
-
-
-
-    std::vector<Interval>
-    sorted_intervals(const FaultSurface<2>       &surface,
-                     const std::vector<Point<1>> &positions)
-    {
-      std::vector<Interval> intervals;
-      intervals.reserve(surface.faces.size());
-      for (unsigned int f = 0; f < surface.faces.size(); ++f)
-        {
-          const FaceShape<2> shape(surface.face_vertices(positions, f));
-          const auto         ends =
-            std::minmax(shape.vertices()[0][0], shape.vertices()[1][0]);
-          intervals.push_back({ends.first, ends.second, f, 0});
-        }
-      std::sort(intervals.begin(),
-                intervals.end(),
-                [](const Interval &a, const Interval &b) {
-                  return a.lower < b.lower;
-                });
-
-      for (unsigned int i = 1; i < intervals.size(); ++i)
-        AssertThrow(intervals[i].lower >=
-                      intervals[i - 1].upper -
-                        1e-10 * (intervals[i].upper - intervals[i].lower),
-                    ExcMessage(
-                      "Two faces on the same side of a fault overlap. The "
-                      "deformation next to the fault is too large for the "
-                      "mesh."));
-      return intervals;
+      return plane.components(v[1] - v[0])[0];
     }
 
 
 
-    /** All images, moved by multiples of @p period, that reach into the
-     * window, which is not empty; sorted like the @p intervals. */
-    std::vector<Interval>
-    images_in(const Interval              &window,
-              const double                 period,
-              const std::vector<Interval> &intervals)
+    double
+    sense(const FacePlane<3> &plane, const std::array<Point<3>, 4> &v)
     {
-      const int first =
-        std::floor((window.lower - intervals.back().upper) / period);
-      const int last =
-        std::ceil((window.upper - intervals.front().lower) / period);
-      std::vector<Interval> images;
-      for (int wraps = first; wraps <= last; ++wraps)
-        for (const Interval &interval : intervals)
-          images.push_back({interval.lower + wraps * period,
-                            interval.upper + wraps * period,
-                            interval.face,
-                            wraps});
-      return images;
+      return cross_product_3d(v[1] - v[0], v[2] - v[0]) * plane.normal();
+    }
+
+
+
+    /** Throw if the displacement of the nodes has turned a face around. */
+    template <int dim>
+    void
+    check_senses(const FaultSurface<dim>       &surface,
+                 const std::vector<Point<dim>> &positions)
+    {
+      for (unsigned int f = 0; f < surface.faces.size(); ++f)
+        {
+          const FacePlane<dim> plane(surface.normal_of(f));
+          AssertThrow(
+            sense(plane, surface.face_vertices(positions, f)) *
+                sense(plane, surface.face_vertices(surface.points, f)) >
+              0.,
+            ExcMessage("A face on a side of a fault has no area or is turned "
+                       "inside out. The deformation next to the fault is too "
+                       "large for the mesh."));
+        }
+    }
+
+
+
+    /** A master face projected onto the plane of a slave face. */
+    template <int dim>
+    struct Projected
+    {
+      FaceShape<dim>          shape;
+      const MasterImage<dim> &image;
+    };
+
+    template <int dim>
+    using Masters = boost::container::small_vector<Projected<dim>, 8>;
+
+
+
+    template <int dim>
+    FaceShape<dim>
+    moved(const FaceShape<dim> &shape, const Tensor<1, dim - 1> &by)
+    {
+      auto vertices = shape.vertices();
+      for (Point<dim - 1> &vertex : vertices)
+        vertex += by;
+      return FaceShape<dim>(vertices, shape.n_vertices());
+    }
+
+
+
+    /** The ends of a face on a line, the lower one first. */
+    std::pair<double, double>
+    ends(const FaceShape<2> &shape)
+    {
+      return std::minmax({shape.vertices()[0][0], shape.vertices()[1][0]});
     }
 
 
 
     void
-    append_overlap(const FaultSurface<2>       &slave,
-                   const std::vector<Point<1>> &slave_positions,
-                   const FaultSurface<2>       &master,
-                   const std::vector<Point<1>> &master_positions,
+    append_overlap(const unsigned int           slave_face,
+                   const FaceShape<2>          &slave,
+                   const Masters<2>            &masters,
                    std::vector<OverlapCell<2>> &cells)
     {
-      const std::vector<Interval> slaves =
-        sorted_intervals(slave, slave_positions);
-      std::vector<Interval> masters =
-        sorted_intervals(master, master_positions);
-      if (slave.period[0] > 0)
-        masters = images_in({slaves.front().lower, slaves.back().upper, 0, 0},
-                            slave.period[0],
-                            masters);
+      boost::container::
+        small_vector<std::pair<std::pair<double, double>, unsigned int>, 8>
+          sorted;
+      for (unsigned int i = 0; i < masters.size(); ++i)
+        sorted.emplace_back(ends(masters[i].shape), i);
+      std::sort(sorted.begin(), sorted.end());
 
-      auto s = slaves.begin();
-      auto m = masters.begin();
-      while (s != slaves.end() && m != masters.end())
+      const auto [slave_lower, slave_upper] = ends(slave);
+      for (const auto &[interval, i] : sorted)
         {
-          const double lower = std::max(s->lower, m->lower);
-          const double upper = std::min(s->upper, m->upper);
-          const double smaller =
-            std::min(s->upper - s->lower, m->upper - m->lower);
+          const double lower   = std::max(slave_lower, interval.first);
+          const double upper   = std::min(slave_upper, interval.second);
+          const double smaller = std::min(slave_upper - slave_lower,
+                                          interval.second - interval.first);
           if (upper - lower > overlap_tolerance * smaller)
-            cells.push_back({s->face,
-                             m->face,
-                             {{m->wraps}},
+            cells.push_back({slave_face,
+                             masters[i].image.face,
+                             masters[i].image.wraps,
                              {{Point<1>(lower), Point<1>(upper)}}});
-
-          if (s->upper <= m->upper)
-            ++s;
-          else
-            ++m;
         }
-    }
-
-
-
-    BoundingBox<2>
-    bounding_box(const FaceShape<3> &shape)
-    {
-      return BoundingBox<2>(std::vector<Point<2>>(shape.vertices().begin(),
-                                                  shape.vertices().end()));
     }
 
 
@@ -152,7 +139,8 @@ namespace StickSlip
     {
       Polygon polygon;
       for (const unsigned int i : {0, 1, 3, 2})
-        polygon.push_back(shape.vertices()[i]);
+        if (i < shape.n_vertices())
+          polygon.push_back(shape.vertices()[i]);
       if (signed_area(polygon) < 0.)
         std::reverse(polygon.begin(), polygon.end());
       return polygon;
@@ -160,132 +148,31 @@ namespace StickSlip
 
 
 
-    std::vector<FaceShape<3>>
-    face_shapes(const FaultSurface<3>       &surface,
-                const std::vector<Point<2>> &positions)
-    {
-      std::vector<FaceShape<3>> shapes;
-      for (unsigned int f = 0; f < surface.faces.size(); ++f)
-        shapes.emplace_back(surface.face_vertices(positions, f));
-      return shapes;
-    }
-
-
-
-    BoundingBox<2>
-    bounding_box(const std::vector<FaceShape<3>> &shapes)
-    {
-      BoundingBox<2> box = bounding_box(shapes.front());
-      for (const FaceShape<3> &shape : shapes)
-        box.merge_with(bounding_box(shape));
-      return box;
-    }
-
-
-
-    FaceShape<3>
-    moved(const FaceShape<3> &shape, const Tensor<1, 2> &by)
-    {
-      auto vertices = shape.vertices();
-      for (Point<2> &vertex : vertices)
-        vertex += by;
-      return FaceShape<3>(vertices);
-    }
-
-
-
-    /** A master face, moved by whole periods. */
-    struct MasterImage
-    {
-      FaceShape<3>       shape;
-      unsigned int       face;
-      std::array<int, 2> wraps;
-    };
-
-
-
-    /** The images of master faces, moved by multiples of @p period, next to the
-     * slave faces in @p window; and their bounding boxes. */
     void
-    append_images(const Tensor<1, 2>              &period,
-                  const BoundingBox<2>            &window,
-                  const std::vector<FaceShape<3>> &masters,
-                  std::vector<MasterImage>        &images,
-                  std::vector<BoundingBox<2>>     &boxes)
-    {
-      const BoundingBox<2> extent = bounding_box(masters);
-      std::array<int, 2>   first = {}, last = {};
-      for (unsigned int d = 0; d < 2; ++d)
-        if (period[d] > 0)
-          {
-            first[d] = std::floor(
-              (window.lower_bound(d) - extent.upper_bound(d)) / period[d]);
-            last[d] = std::ceil(
-              (window.upper_bound(d) - extent.lower_bound(d)) / period[d]);
-          }
-      std::array<int, 2> wraps;
-      for (wraps[0] = first[0]; wraps[0] <= last[0]; ++wraps[0])
-        for (wraps[1] = first[1]; wraps[1] <= last[1]; ++wraps[1])
-          for (unsigned int f = 0; f < masters.size(); ++f)
-            {
-              const FaceShape<3> image =
-                moved(masters[f],
-                      Tensor<1, 2>(
-                        {wraps[0] * period[0], wraps[1] * period[1]}));
-              boxes.push_back(bounding_box(image));
-              images.push_back({image, f, wraps});
-            }
-    }
-
-
-
-    void
-    append_overlap(const FaultSurface<3>       &slave,
-                   const std::vector<Point<2>> &slave_positions,
-                   const FaultSurface<3>       &master,
-                   const std::vector<Point<2>> &master_positions,
+    append_overlap(const unsigned int           slave_face,
+                   const FaceShape<3>          &slave,
+                   const Masters<3>            &masters,
                    std::vector<OverlapCell<3>> &cells)
     {
-      const std::vector<FaceShape<3>> slave_shapes =
-        face_shapes(slave, slave_positions);
-      std::vector<MasterImage>    images;
-      std::vector<BoundingBox<2>> boxes;
-      append_images(slave.period,
-                    bounding_box(slave_shapes),
-                    face_shapes(master, master_positions),
-                    images,
-                    boxes);
-      const auto tree = pack_rtree_of_indices(boxes);
-
-      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+      const Polygon slave_outline = outline(slave);
+      for (const Projected<3> &master : masters)
         {
-          std::vector<std::size_t> candidates;
-          tree.query(boost::geometry::index::intersects(
-                       bounding_box(slave_shapes[f])),
-                     std::back_inserter(candidates));
-          std::sort(candidates.begin(), candidates.end());
-
-          const Polygon slave_outline = outline(slave_shapes[f]);
-          for (const std::size_t i : candidates)
+          const Polygon common =
+            clip_convex_polygon(slave_outline, outline(master.shape));
+          if (signed_area(common) <=
+              overlap_tolerance *
+                std::min(slave.measure(), master.shape.measure()))
+            continue;
+          for (unsigned int v = 2; v < common.size(); ++v)
             {
-              const MasterImage &master_image = images[i];
-              const Polygon      common =
-                clip_convex_polygon(slave_outline, outline(master_image.shape));
-              if (signed_area(common) <=
-                  overlap_tolerance * std::min(slave_shapes[f].measure(),
-                                               master_image.shape.measure()))
-                continue;
-              for (unsigned int v = 2; v < common.size(); ++v)
-                {
-                  const OverlapCell<3> cell = {
-                    f,
-                    master_image.face,
-                    master_image.wraps,
-                    {{common[0], common[v - 1], common[v]}}};
-                  // Vertices that coincide leave triangles without area.
-                  if (cell.measure() > 0.)
-                    cells.push_back(cell);
-                }
+              const OverlapCell<3> cell = {
+                slave_face,
+                master.image.face,
+                master.image.wraps,
+                {{common[0], common[v - 1], common[v]}}};
+              // Vertices that coincide leave triangles without area.
+              if (cell.measure() > 0.)
+                cells.push_back(cell);
             }
         }
     }
@@ -303,33 +190,71 @@ namespace StickSlip
 
 
   template <int dim>
+  FaceShape<dim>
+  project_face(const FacePlane<dim>          &plane,
+               const FaultSurface<dim>       &surface,
+               const std::vector<Point<dim>> &positions,
+               const unsigned int             face)
+  {
+    const auto         in_space = surface.face_vertices(positions, face);
+    const unsigned int n        = surface.n_vertices_of(face);
+    std::array<Point<dim - 1>, FaceShape<dim>::max_vertices> vertices;
+    for (unsigned int v = 0; v < n; ++v)
+      vertices[v] = plane.coordinates(in_space[v]);
+    return FaceShape<dim>(vertices, n);
+  }
+
+
+
+  template <int dim>
   std::vector<OverlapCell<dim>>
-  compute_face_overlap(const FaultSurface<dim>           &slave,
-                       const std::vector<Point<dim - 1>> &slave_positions,
-                       const FaultSurface<dim>           &master,
-                       const std::vector<Point<dim - 1>> &master_positions)
+  compute_face_overlap(const FaultSurface<dim>       &slave,
+                       const std::vector<Point<dim>> &slave_positions,
+                       const FaultSurface<dim>       &master,
+                       const std::vector<Point<dim>> &master_positions)
   {
     AssertDimension(slave.points.size(), slave_positions.size());
     AssertDimension(master.points.size(), master_positions.size());
+    check_senses(slave, slave_positions);
+    check_senses(master, master_positions);
 
+    const FaceSearch<dim>         search(slave,
+                                 slave_positions,
+                                 master,
+                                 master_positions);
     std::vector<OverlapCell<dim>> cells;
-    append_overlap(slave, slave_positions, master, master_positions, cells);
+    for (unsigned int f = 0; f < slave.faces.size(); ++f)
+      {
+        const FacePlane<dim> plane(slave.normal_of(f));
+        const auto           images = search.opposite_to(f);
+        Masters<dim>         masters;
+        for (const MasterImage<dim> &image : images)
+          masters.push_back(
+            {moved(project_face(plane, master, master_positions, image.face),
+                   plane.components(image.shift)),
+             image});
+        append_overlap(f,
+                       project_face(plane, slave, slave_positions, f),
+                       masters,
+                       cells);
+      }
     return cells;
   }
 
 
 
-  template struct OverlapCell<2>;
-  template struct OverlapCell<3>;
+#define STICKSLIP_INSTANTIATE(dim)                                           \
+  template struct OverlapCell<dim>;                                          \
+  template std::vector<OverlapCell<dim>> compute_face_overlap<dim>(          \
+    const FaultSurface<dim> &,                                               \
+    const std::vector<Point<dim>> &,                                         \
+    const FaultSurface<dim> &,                                               \
+    const std::vector<Point<dim>> &);                                        \
+  template FaceShape<dim> project_face<dim>(const FacePlane<dim> &,          \
+                                            const FaultSurface<dim> &,       \
+                                            const std::vector<Point<dim>> &, \
+                                            const unsigned int);
 
-  template std::vector<OverlapCell<2>>
-  compute_face_overlap(const FaultSurface<2> &,
-                       const std::vector<Point<1>> &,
-                       const FaultSurface<2> &,
-                       const std::vector<Point<1>> &);
-  template std::vector<OverlapCell<3>>
-  compute_face_overlap(const FaultSurface<3> &,
-                       const std::vector<Point<2>> &,
-                       const FaultSurface<3> &,
-                       const std::vector<Point<2>> &);
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 } // namespace StickSlip

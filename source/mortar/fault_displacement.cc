@@ -9,32 +9,27 @@
 
 namespace StickSlip
 {
-  namespace
+  template <int dim>
+  std::vector<unsigned int>
+  fine_places(const FaultSurface<dim> &coarse,
+              const FaultSurface<dim> &fine,
+              const NodalProlongation &prolongation)
   {
-    /** The values of @p fine at the nodes of @p coarse. */
-    template <int dim>
-    std::vector<Tensor<1, dim>>
-    inject(const FaultSurface<dim>           &coarse,
-           const FaultSurface<dim>           &fine,
-           const NodalProlongation           &prolongation,
-           const std::vector<Tensor<1, dim>> &values)
-    {
-      std::map<types::global_dof_index, unsigned int> fine_place;
-      for (unsigned int k = 0; k < fine.nodes.size(); ++k)
-        if (const GlobalRow row = prolongation.row(fine.nodes[k]);
-            row.size() == 1)
-          fine_place[row.front().first] = k;
+    std::map<types::global_dof_index, unsigned int> fine_place;
+    for (unsigned int k = 0; k < fine.nodes.size(); ++k)
+      if (const GlobalRow row = prolongation.row(fine.nodes[k]);
+          row.size() == 1)
+        fine_place[row.front().first] = k;
 
-      std::vector<Tensor<1, dim>> result;
-      for (const auto node : coarse.nodes)
-        {
-          const auto place = fine_place.find(node);
-          AssertThrow(place != fine_place.end(), ExcInternalError());
-          result.push_back(values[place->second]);
-        }
-      return result;
-    }
-  } // namespace
+    std::vector<unsigned int> result;
+    for (const auto node : coarse.nodes)
+      {
+        const auto place = fine_place.find(node);
+        AssertThrow(place != fine_place.end(), ExcInternalError());
+        result.push_back(place->second);
+      }
+    return result;
+  }
 
 
 
@@ -95,10 +90,12 @@ namespace StickSlip
       {
         const auto on_side = [&](const unsigned int                 side,
                                  const std::vector<Tensor<1, dim>> &values) {
-          return inject(coarse.surface(f, side),
-                        fine.surface(f, side),
-                        prolongation,
-                        values);
+          std::vector<Tensor<1, dim>> injected;
+          for (const unsigned int k : fine_places(coarse.surface(f, side),
+                                                  fine.surface(f, side),
+                                                  prolongation))
+            injected.push_back(values[k]);
+          return injected;
         };
         result.push_back({on_side(sides[f].slave, displacements[f].slave),
                           on_side(sides[f].master, displacements[f].master)});
@@ -110,6 +107,10 @@ namespace StickSlip
 
 #define STICKSLIP_INSTANTIATE(dim)                                 \
   template struct FaultDisplacement<dim>;                          \
+  template std::vector<unsigned int> fine_places<dim>(             \
+    const FaultSurface<dim> &,                                     \
+    const FaultSurface<dim> &,                                     \
+    const NodalProlongation &);                                    \
   template std::vector<Tensor<1, dim>> gather_nodes<dim>(          \
     const NodalVector &,                                           \
     const NodePartition &,                                         \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/mortar/crosspoints.h>
 #include <stickslip/mortar/fault_sides.h>
 
 #include <algorithm>
@@ -37,6 +38,14 @@ namespace StickSlip
         return level.bodies[part.body]->is_rigid();
       });
     };
+    const std::vector<types::global_dof_index> crossings =
+      crosspoints(level, topology.faults().size());
+    const auto n_crossings = [&](const unsigned int side) {
+      const auto &nodes = level.surface(fault, side).nodes;
+      return std::count_if(nodes.begin(), nodes.end(), [&](const auto node) {
+        return std::binary_search(crossings.begin(), crossings.end(), node);
+      });
+    };
     const double first_size  = face_sizes(level.surface(fault, 0)).first;
     const double second_size = face_sizes(level.surface(fault, 1)).first;
     // Equal numbers differ by rounding.
@@ -46,6 +55,8 @@ namespace StickSlip
     const bool first_is_slave =
       is_rigid(1)                      ? true :
       is_rigid(0)                      ? false :
+      n_crossings(0) > n_crossings(1)  ? true :
+      n_crossings(1) > n_crossings(0)  ? false :
       stiffness_ratio > 4.             ? true :
       stiffness_ratio < 0.25           ? false :
       is_less(first_size, second_size) ? true :

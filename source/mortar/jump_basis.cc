@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/mortar/crosspoints.h>
 #include <stickslip/mortar/jump_basis.h>
 
 #include <algorithm>
+#include <set>
 
 namespace StickSlip
 {
   namespace
   {
+    /** Nodes of the rotation term that the row does not have (integrals can
+     * vanish where faces meet) get this entry, rounding that is just large
+     * enough not to be dropped: the sparsity of products then has a place for
+     * them. */
+    constexpr double least_entry = 2e-14;
+
+
+
     template <int dim>
-    std::vector<Point<dim - 1>>
-    current_positions(const FaultAxes<dim>              &axes,
-                      const FaultSurface<dim>           &surface,
+    std::vector<Point<dim>>
+    current_positions(const FaultSurface<dim>           &surface,
                       const std::vector<Tensor<1, dim>> &displacement)
     {
-      std::vector<Point<dim - 1>> positions;
+      std::vector<Point<dim>> positions;
       for (unsigned int p = 0; p < surface.points.size(); ++p)
-        positions.push_back(axes.in_plane(surface.points[p] + displacement[p]));
+        positions.push_back(surface.points[p] + displacement[p]);
       return positions;
     }
 
@@ -37,17 +46,21 @@ namespace StickSlip
   JumpBasis<dim>::JumpBasis(
     const MeshLevel<dim>                      &level,
     const std::vector<FaultSides>             &sides,
+    const std::vector<FaultAxes<dim>>         &axes,
     const std::vector<FaultDisplacement<dim>> &displacements,
     const NodeMask                            &dirichlet)
   {
+    AssertDimension(axes.size(), sides.size());
     AssertDimension(displacements.size(), sides.size());
+    const std::vector<types::global_dof_index> crossings =
+      crosspoints(level, sides.size());
     for (unsigned int f = 0; f < sides.size(); ++f)
       {
         const FaultSides &side = sides[f];
         FaultContact<dim> contact;
-        contact.sides         = side;
-        contact.axes          = FaultAxes<dim>(level.surface(f, 0).normal);
-        contact.slave_surface = level.surface(f, side.slave);
+        contact.sides                   = side;
+        contact.axes                    = axes[f];
+        contact.slave_surface           = level.surface(f, side.slave);
         const FaultSurface<dim> &master = level.surface(f, side.master);
         contact.slave_nodes             = contact.slave_surface.nodes;
         contact.master_nodes            = master.nodes;
@@ -57,17 +70,17 @@ namespace StickSlip
 
         std::vector<bool> excluded;
         for (const auto p : contact.slave_nodes)
-          excluded.push_back(!dirichlet.is_fully_active(p));
+          excluded.push_back(
+            !dirichlet.is_fully_active(p) ||
+            std::binary_search(crossings.begin(), crossings.end(), p));
         contact.coupling = build_mortar_coupling<dim>(
           contact.slave_surface,
-          current_positions(contact.axes,
-                            contact.slave_surface,
-                            displacements[f].slave),
+          current_positions(contact.slave_surface, displacements[f].slave),
           master,
-          current_positions(contact.axes, master, displacements[f].master),
+          current_positions(master, displacements[f].master),
           excluded);
 
-        const MortarCoupling &coupling = contact.coupling;
+        const MortarCoupling<dim> &coupling = contact.coupling;
         for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
           if (coupling.active[k])
             {
@@ -79,6 +92,24 @@ namespace StickSlip
               for (const auto &entry : coupling.inactive_slave_rows[k])
                 partners.emplace_back(contact.slave_nodes[entry.first],
                                       entry.second);
+              if (coupling.rotation_rows.empty())
+                continue;
+              std::set<unsigned int> columns;
+              for (const auto &entry : coupling.master_rows[k])
+                columns.insert(entry.first);
+              auto &term = rotation_terms[contact.slave_nodes[k]];
+              for (auto [q, matrix] : coupling.rotation_rows[k])
+                {
+                  const auto node = contact.master_nodes[q];
+                  if (columns.count(q) == 0)
+                    {
+                      partners.emplace_back(node, least_entry);
+                      // The term takes it back.
+                      for (unsigned int d = 0; d < dim; ++d)
+                        matrix[d][d] += least_entry;
+                    }
+                  term.emplace_back(node, matrix);
+                }
             }
         contacts.push_back(std::move(contact));
       }
@@ -113,6 +144,33 @@ namespace StickSlip
     GlobalRow    row    = {{node, factor}};
     add_multiple(row, -factor, jump->second.second);
     return row;
+  }
+
+
+
+  template <int dim>
+  NodeFrames<dim>
+  JumpBasis<dim>::frames() const
+  {
+    NodeFrames<dim> result;
+    for (const FaultContact<dim> &contact : contacts)
+      if (!contact.axes.are_those_of_space())
+        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+          if (contact.coupling.active[k])
+            result.set(contact.slave_nodes[k], contact.axes.at(k));
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>>
+  JumpBasis<dim>::rotation_term(const types::global_dof_index node) const
+  {
+    const auto term = rotation_terms.find(node);
+    if (term == rotation_terms.end())
+      return {};
+    return term->second;
   }
 
 

@@ -81,6 +81,14 @@ namespace StickSlip
         f,
         shear_modulus(finest, faults[f].sides[1], materials) /
           shear_modulus(finest, faults[f].sides[0], materials)));
+    axes.resize(meshes.n_levels());
+    axes.back() = make_fault_axes(finest, meshes.topology(), sides);
+    for (unsigned int l = meshes.n_levels() - 1; l > 0; --l)
+      axes[l - 1] = inject(meshes.level(l - 1),
+                           meshes.level(l),
+                           meshes.prolongation(l),
+                           sides,
+                           axes[l]);
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       {
         dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
@@ -114,7 +122,8 @@ namespace StickSlip
                                  mesh_hierarchy.prolongation(l + 1),
                                  sides,
                                  displacements);
-        bases.emplace_back(level, sides, displacements, dirichlet_masks[l]);
+        bases.emplace_back(
+          level, sides, axes[l], displacements, dirichlet_masks[l]);
       }
     std::reverse(bases.begin(), bases.end());
     for (unsigned int i = 0; i < bases.back().faults().size(); ++i)
@@ -138,6 +147,12 @@ namespace StickSlip
     // Memory of the old transfers is needed for the new ones.
     levels.clear();
 
+    // A node at which components are prescribed is no contact node.
+    std::vector<NodeFrames<dim>> frames = boundary_frames;
+    for (unsigned int l = 0; l < n_levels; ++l)
+      for (const auto &[node, node_axes] : bases[l].frames())
+        frames[l].set(node, node_axes);
+
     // From the nodal basis to jumps, and from there down the levels. Each
     // product tells the ghosts and the sparsity on its coarse side.
     to_jump_basis = std::make_unique<GalerkinProduct<dim>>(
@@ -149,7 +164,7 @@ namespace StickSlip
                  }),
       finest.nodes.owned(),
       LocalFrames(),
-      boundary_frames.back());
+      frames.back());
     std::vector<LevelDescription<dim>> descriptions(n_levels);
     descriptions.back().nodes          = to_jump_basis->coarse_nodes();
     descriptions.back().frames         = to_jump_basis->coarse_frames();
@@ -169,7 +184,7 @@ namespace StickSlip
                      }),
           mesh_hierarchy.level(l - 1).nodes.owned(),
           fine.frames,
-          boundary_frames[l - 1]);
+          frames[l - 1]);
         descriptions[l - 1].nodes  = fine.to_coarser->coarse_nodes();
         descriptions[l - 1].frames = fine.to_coarser->coarse_frames();
         fine_sparsity              = fine.to_coarser->coarse_sparsity().get();
@@ -183,7 +198,11 @@ namespace StickSlip
     B_inverse    = TransferMatrix(inverse_rows,
                                finest.nodes,
                                to_jump_basis->coarse_nodes(),
-                               descriptions.back().frames);
+                               frames.back().local_part(finest.nodes));
+    rotation     = RotationCoupling<dim>(bases.back(),
+                                     frames.back(),
+                                     to_jump_basis->coarse_nodes(),
+                                     *to_jump_basis->coarse_sparsity());
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
   }
@@ -231,6 +250,15 @@ namespace StickSlip
 
 
   template <int dim>
+  const RotationCoupling<dim> &
+  ContactSpace<dim>::rotation_coupling() const
+  {
+    return rotation;
+  }
+
+
+
+  template <int dim>
   const MeshHierarchy<dim> &
   ContactSpace<dim>::meshes() const
   {
@@ -256,6 +284,7 @@ namespace StickSlip
     NodalVector values = make_vector();
     std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
     B_inverse.prolongate(w, values, dim);
+    rotation.add(1., w);
   }
 
 
@@ -264,7 +293,14 @@ namespace StickSlip
   void
   ContactSpace<dim>::to_nodal(NodalVector &u, const NodalVector &w) const
   {
-    to_jump_basis->prolongation().prolongate(u, w, dim);
+    if (rotation.empty())
+      {
+        to_jump_basis->prolongation().prolongate(u, w, dim);
+        return;
+      }
+    NodalVector without_term = w;
+    rotation.add(-1., without_term);
+    to_jump_basis->prolongation().prolongate(u, without_term, dim);
   }
 
 
@@ -275,6 +311,7 @@ namespace StickSlip
   {
     NodalVector dual = make_vector();
     to_jump_basis->prolongation().restrict_to(dual, f, dim);
+    rotation.add_transpose(-1., dual);
     return dual;
   }
 

@@ -78,6 +78,7 @@ namespace StickSlip
   void
   EquationOfMotion<dim>::make_operator(
     GalerkinProduct<dim>              &product,
+    const RotationCoupling<dim>       &rotation,
     std::vector<LevelDescription<dim>> descriptions)
   {
     const NodeMask all(space.meshes().finest().nodes.n_local(), dim);
@@ -86,6 +87,7 @@ namespace StickSlip
       {
         jump_terms.emplace_back(product.coarse_sparsity());
         product.compute(term, all, jump_terms.back());
+        rotation.transform(jump_terms.back());
       }
     operator_sum = std::make_unique<OperatorSum<dim>>(descriptions.back(),
                                                       std::move(jump_terms));

@@ -33,7 +33,9 @@ namespace StickSlip
     // Memory of the old levels is needed for the new ones.
     this->clear_operator();
     this->set_bases(std::move(bases), this->nodal_sparsity());
-    this->make_operator(this->jump_product(), this->descriptions());
+    this->make_operator(this->jump_product(),
+                        this->rotation_coupling(),
+                        this->descriptions());
   }
 
 

@@ -26,6 +26,7 @@ namespace StickSlip
   class DualBasis
   {
   public:
+    /** The most vertices of a face. */
     static constexpr unsigned int n = GeometryInfo<dim>::vertices_per_face;
 
     using Vector = std::array<double, n>;
@@ -41,10 +42,11 @@ namespace StickSlip
     static constexpr double pivot_tolerance = 1e-3;
 
     /**
-     * The basis that belongs to the mass matrix of the covered part, m^(dim-1).
-     * Without one, is_valid() is false.
+     * The basis that belongs to the mass matrix of the covered part, m^(dim-1),
+     * of the first @p n_vertices vertices; three for a triangle. Without one,
+     * is_valid() is false.
      */
-    explicit DualBasis(const Matrix &mass);
+    explicit DualBasis(const Matrix &mass, const unsigned int n_vertices = n);
 
     bool
     is_valid() const
@@ -63,13 +65,15 @@ namespace StickSlip
     void
     restrict_to(const std::array<bool, n> &active);
 
-    /** The matrix A; rows of inactive vertices are zero. */
+    /** The matrix A; rows of inactive vertices, and of those that a triangle
+     * does not have, are zero. */
     const Matrix &
     coefficients() const;
 
   private:
-    Matrix A;
-    bool   valid;
+    Matrix       A;
+    unsigned int n_vertices;
+    bool         valid;
   };
 } // namespace StickSlip
 

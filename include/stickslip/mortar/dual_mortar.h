@@ -5,6 +5,7 @@
 #define stickslip_mortar_dual_mortar_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
 
 #include <stickslip/mesh/fault_surface.h>
 
@@ -13,6 +14,9 @@
 
 namespace StickSlip
 {
+  /** Column and value of the entries of a row, columns ascending. */
+  using SparseRow = std::vector<std::pair<unsigned int, double>>;
+
   /**
    * The coupling of the two sides of a fault by dual Lagrange multipliers on
    * the slave side. Tractions are sum_p lambda_p psi_p with the dual functions
@@ -30,13 +34,26 @@ namespace StickSlip
    * = D^-1 M, which maps linear functions on the master nodes to their values
    * at slave nodes.
    *
+   * Where the fault is curved, the faces of the two sides are not at the same
+   * places: with the gap g = n . (x_s - x_m) between points opposite to each
+   * other along the normal n of a slave face, a rotation has a jump of the size
+   * of g. Matrices C_pq take it away: they carry the master's displacement from
+   * x_m to x_s as a rotation by the slope of its normal component would,
+   *
+   *   C_pq u_q = 1/(weight_p averaging_factor_p)
+   *                int psi_p g grad (phi_q n . u_q),
+   *
+   * with the gradient along the slave face, and the bracket becomes
+   *
+   *   u_s,p - sum_q N_pq u_m,q - sum_k S_pk u_s,k + sum_q C_pq u_m,q ,
+   *
+   * which is zero for all rigid motions.
+   *
    * All vectors have one entry per slave node, in the order of the surface.
    */
+  template <int dim>
   struct MortarCoupling
   {
-    /** Column and value of the entries of a row, columns ascending. */
-    using SparseRow = std::vector<std::pair<unsigned int, double>>;
-
     /** True if the node carries contact. All else is zero or empty if not. */
     std::vector<bool> active;
 
@@ -54,6 +71,11 @@ namespace StickSlip
 
     /** S: columns are positions of inactive nodes on the slave surface. */
     std::vector<SparseRow> inactive_slave_rows;
+
+    /** C: columns are positions in the arrays of the master surface. Empty, not
+     * even rows, where both sides are plane. */
+    std::vector<std::vector<std::pair<unsigned int, Tensor<2, dim>>>>
+      rotation_rows;
 
     /**
      * Area of the slave faces that lies opposite to master faces and carries
@@ -81,19 +103,20 @@ namespace StickSlip
   constexpr double active_weight_fraction = 0.25;
 
   /**
-   * Build the coupling for the current positions of the nodes in the (flat)
-   * fault plane, in m and in the order of the nodes of the two surfaces,
-   * which may be numbered and oriented in any way. The surfaces themselves
-   * must not have hanging nodes.
+   * Build the coupling for the current positions of the nodes, in m and in the
+   * order of the nodes of the two surfaces, which may be numbered and oriented
+   * in any way. The surfaces themselves must not have hanging nodes. Integrals
+   * run over the slave faces, each projected onto its plane like the master
+   * faces opposite to it (face_overlap.h).
    *
    * Inactive are the slave nodes that are barely covered, see
    * active_weight_fraction, and those that are @p excluded (because Dirichlet
-   * conditions hold them, say; empty: none). On faces that have both
-   * active and inactive nodes, the active ones take over the dual functions of
-   * the others. A face without any active node carries nothing; without
-   * excluded nodes the area lost that way is less than active_weight_fraction
-   * times the integral of the inactive nodes' shape functions, so less
-   * than that fraction of the area of the faces around them.
+   * conditions hold them, say, or other faults meet there; empty: none). On
+   * faces that have both active and inactive nodes, the active ones take over
+   * the dual functions of the others. A face without any active node carries
+   * nothing; without excluded nodes the area lost that way is less than
+   * active_weight_fraction times the integral of the inactive nodes' shape
+   * functions, so less than that fraction of the area of the faces around them.
    *
    * All integrals of one face use the same quadrature points, exact for
    * products of two shape functions on parallelograms. On other
@@ -107,12 +130,12 @@ namespace StickSlip
    * as compute_face_overlap() does.
    */
   template <int dim>
-  MortarCoupling
-  build_mortar_coupling(const FaultSurface<dim>           &slave,
-                        const std::vector<Point<dim - 1>> &slave_positions,
-                        const FaultSurface<dim>           &master,
-                        const std::vector<Point<dim - 1>> &master_positions,
-                        const std::vector<bool>           &excluded = {});
+  MortarCoupling<dim>
+  build_mortar_coupling(const FaultSurface<dim>       &slave,
+                        const std::vector<Point<dim>> &slave_positions,
+                        const FaultSurface<dim>       &master,
+                        const std::vector<Point<dim>> &master_positions,
+                        const std::vector<bool>       &excluded = {});
 } // namespace StickSlip
 
 #endif

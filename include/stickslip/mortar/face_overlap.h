@@ -7,6 +7,8 @@
 #include <deal.II/base/point.h>
 
 #include <stickslip/mesh/fault_surface.h>
+#include <stickslip/mortar/face_plane.h>
+#include <stickslip/mortar/face_shape.h>
 
 #include <array>
 #include <vector>
@@ -30,7 +32,7 @@ namespace StickSlip
      * periods. */
     std::array<int, dim - 1> master_wraps;
 
-    /** Corners in the fault plane, m, on the slave face. */
+    /** Corners in the coordinates of the plane of the slave face, m. */
     std::array<Point<dim - 1>, dim> vertices;
 
     /** Length (m) or area (m^2). */
@@ -48,25 +50,41 @@ namespace StickSlip
    * The overlap of the two sides of a fault, cut into integration cells. The
    * cells of one slave face follow each other.
    *
-   * The positions are the current ones of the nodes in the (flat) fault plane,
-   * in m and in the order of the nodes of the surfaces; nodes and faces
-   * may be numbered in any order. The faces of one side must not overlap each
-   * other. Periodic surfaces have the same period, and the images of the master
-   * faces count too.
+   * Master faces are projected onto the plane of a slave face along its normal.
+   * In three dimensions the plane of a face is normal to its area vector, which
+   * is the mean plane of a face that is warped.
    *
-   * Two dimensions: the two sets of breakpoints are merged on the line. Three
-   * dimensions: pairs of faces whose bounding boxes meet are clipped against
-   * each other and cut into triangles; the error is a few units of rounding.
+   * The positions are the current ones of the nodes, in m and in the order of
+   * the nodes of the surfaces; the normals are those of the reference
+   * configuration. Nodes and faces may be numbered in any order. Periodic
+   * surfaces have the same period, and the images of the master faces count
+   * too.
    *
-   * Throws ExcMessage if a face has no area, is not convex, or overlaps its
-   * neighbour (2d only).
+   * Faces overlap only if they face each other and are near to each other
+   * (face_search.h). On a fault that closes around a body, or that is folded,
+   * this leaves out what lies on the far side of a body.
+   *
+   * Each slave face is cut against the master faces whose bounding boxes are
+   * near to its own: in two dimensions segments on a line, in three polygons,
+   * which are cut into triangles; the error is a few units of rounding.
+   *
+   * Throws ExcMessage if a face has no area, is not convex, or is turned inside
+   * out.
    */
   template <int dim>
   std::vector<OverlapCell<dim>>
-  compute_face_overlap(const FaultSurface<dim>           &slave,
-                       const std::vector<Point<dim - 1>> &slave_positions,
-                       const FaultSurface<dim>           &master,
-                       const std::vector<Point<dim - 1>> &master_positions);
+  compute_face_overlap(const FaultSurface<dim>       &slave,
+                       const std::vector<Point<dim>> &slave_positions,
+                       const FaultSurface<dim>       &master,
+                       const std::vector<Point<dim>> &master_positions);
+
+  /** The projection of a face onto a plane, its nodes at @p positions. */
+  template <int dim>
+  FaceShape<dim>
+  project_face(const FacePlane<dim>          &plane,
+               const FaultSurface<dim>       &surface,
+               const std::vector<Point<dim>> &positions,
+               const unsigned int             face);
 } // namespace StickSlip
 
 #endif

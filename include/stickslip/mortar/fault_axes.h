@@ -7,18 +7,28 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <stickslip/mesh/nodal_prolongation.h>
+#include <stickslip/mortar/fault_sides.h>
+
+#include <vector>
+
 namespace StickSlip
 {
   using namespace dealii;
 
   /**
-   * The axes of a fault: the normal from its first side to the second one, and
-   * the tangential axes along which slip and tangential tractions have their
-   * components. They are the same at all nodes of a level fault, whose
-   * tangential axes are the axes of space but the last.
+   * The axes at the slave nodes of a fault: the normal from its first side to
+   * the second one, and the tangential axes along which slip and tangential
+   * tractions have their components. Vectors of the jump basis have the
+   * tangential components of a slave node first and the normal one last.
    *
-   * Vectors of the jump basis have the tangential components of a slave node
-   * first and the normal one last.
+   * In two dimensions the tangent is t = (n_y, -n_x), which is right of the
+   * normal. In three dimensions a reference axis of the fault, projected onto
+   * the plane normal to n, is the first, and n x t_1 the second tangent.
+   *
+   * A level fault keeps the axes of space, whichever side is above: its normal
+   * may point against the last one. One set of axes is stored for a fault that
+   * is plane, none for one that is level.
    */
   template <int dim>
   class FaultAxes
@@ -27,40 +37,79 @@ namespace StickSlip
     /** Normal component of a slave node in vectors of the jump basis. */
     static constexpr unsigned int normal_component = dim - 1;
 
+    /** The reference axis must be at least so far from the normal, degrees. */
+    static constexpr double least_angle = 15.;
+
     FaultAxes() = default;
 
-    /** Axes of a level fault from its unit @p normal. */
-    explicit FaultAxes(const Tensor<1, dim> &normal)
-      : n(normal)
-    {}
+    /** The axes for unit @p normals at all slave nodes, or a single one for
+     * all. Throws InputError if the @p reference axis is nearer to a normal
+     * than least_angle. */
+    explicit FaultAxes(const std::vector<Tensor<1, dim>> &normals,
+                       const Tensor<1, dim> &reference = first_axis());
 
+    /** True if components are along the axes of space. */
+    bool
+    are_those_of_space() const
+    {
+      return axes.empty();
+    }
+
+    /** The unit normal at the k-th slave node. */
     const Tensor<1, dim> &
-    normal() const
+    normal(const unsigned int k) const
     {
-      return n;
+      return normals.size() == 1 ? normals[0] : normals[k];
     }
 
-    /** The components of a vector along the tangential axes. */
-    Tensor<1, dim - 1>
-    tangential_part(const Tensor<1, dim> &vector) const
+    /** The axes at the k-th slave node as columns: the tangential ones, then
+     * the normal one, but for level faults the axes of space. */
+    Tensor<2, dim>
+    at(const unsigned int k) const;
+
+    /** The normal component, along normal(), of a vector whose components are
+     * along the axes of the k-th slave node. */
+    double
+    normal_part(const unsigned int k, const Tensor<1, dim> &components) const
     {
-      Tensor<1, dim - 1> part;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        part[d] = vector[d];
-      return part;
+      return are_those_of_space() ? normal(k) * components :
+                                    components[normal_component];
     }
 
-    /** The coordinates along the tangential axes of a point's projection onto
-     * the plane of the fault, m. */
-    Point<dim - 1>
-    in_plane(const Point<dim> &point) const
-    {
-      return Point<dim - 1>(tangential_part(point));
-    }
+    /** The axes at nodes that are at the @p places of some of these. */
+    FaultAxes
+    at_places(const std::vector<unsigned int> &places) const;
+
+    /** The x axis. */
+    static Tensor<1, dim>
+    first_axis();
 
   private:
-    Tensor<1, dim> n;
+    /** One entry for all nodes where these agree. */
+    std::vector<Tensor<1, dim>> normals;
+    std::vector<Tensor<2, dim>> axes;
   };
+
+  /**
+   * The axes of all faults of the finest level, from the reference positions of
+   * the nodes; @p sides: one entry a fault. Throws InputError with the name of
+   * the fault.
+   */
+  template <int dim>
+  std::vector<FaultAxes<dim>>
+  make_fault_axes(const MeshLevel<dim>          &level,
+                  const FaultTopology           &topology,
+                  const std::vector<FaultSides> &sides);
+
+  /** The axes of all faults on a coarser level: those of the fine nodes at the
+   * same places. */
+  template <int dim>
+  std::vector<FaultAxes<dim>>
+  inject(const MeshLevel<dim>              &coarse,
+         const MeshLevel<dim>              &fine,
+         const NodalProlongation           &prolongation,
+         const std::vector<FaultSides>     &sides,
+         const std::vector<FaultAxes<dim>> &axes);
 } // namespace StickSlip
 
 #endif

@@ -43,9 +43,19 @@ namespace StickSlip
                              const NodalVector             &displacement);
 
   /**
-   * The displacements of all faults on a coarser level from those on the next
-   * finer one. A coarse node is at the place of the fine node whose row of the
+   * The places on the surface @p fine of the nodes of the surface @p coarse. A
+   * coarse node is at the place of the fine node whose row of the
    * @p prolongation is that node alone.
+   */
+  template <int dim>
+  std::vector<unsigned int>
+  fine_places(const FaultSurface<dim> &coarse,
+              const FaultSurface<dim> &fine,
+              const NodalProlongation &prolongation);
+
+  /**
+   * The displacements of all faults on a coarser level: those of the fine nodes
+   * at the same places.
    */
   template <int dim>
   std::vector<FaultDisplacement<dim>>

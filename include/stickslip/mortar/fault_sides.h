@@ -36,6 +36,8 @@ namespace StickSlip
    * Slave is, in this order,
    *
    * - the side that deforms, if the other one is rigid;
+   * - the side that is interrupted by more nodes of other faults
+   * (crosspoints.h): one that ends there is no jump to be seen from across;
    * - the softer side, if the other one is more than four times as stiff:
    *   multigrid and the rate problem of a stiff slave are hard to solve;
    * - the side with the smaller faces on average;

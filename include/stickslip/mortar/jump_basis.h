@@ -4,6 +4,7 @@
 #ifndef stickslip_mortar_jump_basis_h
 #define stickslip_mortar_jump_basis_h
 
+#include <stickslip/algebra/node_frames.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/mesh/nodal_prolongation.h>
 #include <stickslip/mortar/dual_mortar.h>
@@ -26,7 +27,7 @@ namespace StickSlip
     FaultSurface<dim>                    slave_surface;
     std::vector<types::global_dof_index> slave_nodes;
     std::vector<types::global_dof_index> master_nodes;
-    MortarCoupling                       coupling;
+    MortarCoupling<dim>                  coupling;
 
     /** Diameter of the smallest face of the two sides, m. */
     double smallest_face = 0;
@@ -42,8 +43,19 @@ namespace StickSlip
    * unknowns are nodal values: u = B w. In this basis friction couples no
    * nodes, and the bilateral contact fixes one component of a node.
    *
-   * Components keep the axes of space; on a horizontal fault the last one is
-   * normal to it, the others are tangential.
+   * Jumps have components along the axes of their node, R_p, with the normal
+   * one last (frames()); everything else keeps the axes of space, and so do the
+   * jumps of level faults. Rows of B are the scalars that are common to all
+   * components, without rotations:
+   *
+   *   u_p = R_p w_p / averaging_factor_p + sum_q N_pq u_q + sum_k S_pk u_k .
+   *
+   * Where a fault is curved, the jump that rotations do not have differs from
+   * this one by a term that couples components: see rotation_term(). It is not
+   * part of the rows.
+   *
+   * Nodes that are on more than one side of faults (crosspoints.h) have no
+   * jump; they are nodal values.
    *
    * Every process knows the coupling of all faults. B is the identity but for
    * rows of slave nodes, so that any row is known everywhere.
@@ -55,6 +67,7 @@ namespace StickSlip
     /**
      * @param level The meshes.
      * @param sides One entry a fault of the topology.
+     * @param axes One entry a fault, at its slave nodes.
      * @param displacements One entry a fault, which is coupled as it is after
      *   these.
      * @param dirichlet Nodes with a component masked here are no contact
@@ -62,6 +75,7 @@ namespace StickSlip
      */
     JumpBasis(const MeshLevel<dim>                      &level,
               const std::vector<FaultSides>             &sides,
+              const std::vector<FaultAxes<dim>>         &axes,
               const std::vector<FaultDisplacement<dim>> &displacements,
               const NodeMask                            &dirichlet);
 
@@ -78,6 +92,18 @@ namespace StickSlip
     /** A row of the inverse of B. */
     GlobalRow
     to_jumps(const types::global_dof_index node) const;
+
+    /** Axes of the jumps of all active slave nodes; empty where these are those
+     * of space. */
+    NodeFrames<dim>
+    frames() const;
+
+    /** Addition of the rotation-free jump at a node to that of the rows, in the
+     * axes of space and before the factor of the row: master nodes q and
+     * matrices C_pq that are applied to u_q, see MortarCoupling. All q are in
+     * the rows. Empty where there is none. */
+    std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>>
+    rotation_term(const types::global_dof_index node) const;
 
     /** Global numbers of the active slave nodes of all faults, ascending. */
     const std::vector<types::global_dof_index> &
@@ -98,6 +124,11 @@ namespace StickSlip
     /** For each active slave node its averaging factor and the partners whose
      * weighted values are the other side of the jump. */
     std::map<types::global_dof_index, std::pair<double, GlobalRow>> jumps;
+
+    /** Terms at nodes of curved faults. */
+    std::map<types::global_dof_index,
+             std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>>>
+      rotation_terms;
   };
 
   /**

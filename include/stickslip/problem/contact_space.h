@@ -10,6 +10,7 @@
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/multigrid/level_description.h>
+#include <stickslip/problem/rotation_coupling.h>
 
 #include <memory>
 #include <vector>
@@ -23,11 +24,13 @@ namespace StickSlip
    *   u_l = B_l w_l,
    *
    * the transfers B_l^-1 P B_(l-1) between them, components that take no part,
-   * and jumps that are known. Nodes whose components are prescribed along other
-   * axes than those of space have these axes in w (LevelDescription::frames).
-   * Nodal vectors u and vectors w of the jump basis have the same owned
-   * entries, and different ghosts; those of the jump basis change with the
-   * contact mapping.
+   * and jumps that are known. The B of the finest level has no jump for rigid
+   * motions even where faults are curved (RotationCoupling); the transfers are
+   * those without this term. Nodes of faults that are not level, and nodes
+   * whose components are prescribed along other axes than those of space, have
+   * these axes in w (LevelDescription::frames). Nodal vectors u and vectors w
+   * of the jump basis have the same owned entries, and different ghosts; those
+   * of the jump basis change with the contact mapping.
    */
   template <int dim>
   class ContactSpace
@@ -93,9 +96,13 @@ namespace StickSlip
     const std::vector<LevelDescription<dim>> &
     descriptions() const;
 
-    /** The product B^T A B of a nodal matrix. */
+    /** The product of a nodal matrix with the rows of B, and what makes it
+     * B^T A B. */
     GalerkinProduct<dim> &
     jump_product();
+
+    const RotationCoupling<dim> &
+    rotation_coupling() const;
 
   private:
     /** Set masks and nonsmooth nodes of all levels. */
@@ -105,7 +112,9 @@ namespace StickSlip
 
     const MeshHierarchy<dim> &mesh_hierarchy;
     std::vector<FaultSides>   sides;
-    std::vector<NodeMask>     dirichlet_masks;
+    /** Axes of all faults, level by level. */
+    std::vector<std::vector<FaultAxes<dim>>> axes;
+    std::vector<NodeMask>                    dirichlet_masks;
     /** Axes of nodes that boundary conditions ask for, level by level. */
     std::vector<NodeFrames<dim>> boundary_frames;
     /** Null where friction acts on all faults. */
@@ -114,6 +123,7 @@ namespace StickSlip
     std::unique_ptr<JumpBasis<dim>>       finest_basis;
     std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
     TransferMatrix                        B_inverse;
+    RotationCoupling<dim>                 rotation;
     std::vector<LevelDescription<dim>>    levels;
   };
 } // namespace StickSlip

@@ -129,10 +129,11 @@ namespace StickSlip
       operator_sum.reset();
     }
 
-    /** Make operator and levels; @p product: to the jump basis, @p
+    /** Make operator and levels; @p product, @p rotation: to the jump basis, @p
      * descriptions: of the levels of the contact space. Collective. */
     void
     make_operator(GalerkinProduct<dim>              &product,
+                  const RotationCoupling<dim>       &rotation,
                   std::vector<LevelDescription<dim>> descriptions);
 
   private:
