@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <stickslip/mesh/fault_cutting.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -120,6 +121,56 @@ namespace
   expect_near(const Tensor<1, dim> &a, const Tensor<1, dim> &b)
   {
     EXPECT_LT((a - b).norm(), 1e-12) << a << " is not " << b;
+  }
+
+
+
+  /** A mesh of quadrilaterals, repeated along the third axis. Both ends are in
+   * the group "ends". */
+  GroupedCells<3>
+  extruded(const GroupedCells<2> &flat,
+           const unsigned int     n_layers,
+           const double           height)
+  {
+    GroupedCells<3>    result;
+    const unsigned int n = flat.points.size();
+    result.body_names    = flat.body_names;
+    result.group_names   = flat.group_names;
+    result.group_names.push_back("ends");
+    for (unsigned int layer = 0; layer <= n_layers; ++layer)
+      for (const Point<2> &point : flat.points)
+        result.points.emplace_back(point[0],
+                                   point[1],
+                                   layer * height / n_layers);
+    for (unsigned int layer = 0; layer < n_layers; ++layer)
+      {
+        for (const auto &cell : flat.cells)
+          {
+            result.cells.push_back({{}, 8, cell.body});
+            for (unsigned int v = 0; v < 8; ++v)
+              result.cells.back().vertices[v] =
+                cell.vertices[v % 4] + (layer + v / 4) * n;
+          }
+        for (const auto &face : flat.faces)
+          result.faces.push_back({{{face.vertices[0] + layer * n,
+                                    face.vertices[1] + layer * n,
+                                    face.vertices[0] + (layer + 1) * n,
+                                    face.vertices[1] + (layer + 1) * n}},
+                                  4,
+                                  face.group});
+      }
+    for (const unsigned int layer : {0u, n_layers})
+      for (const auto &cell : flat.cells)
+        {
+          auto vertices = cell.vertices;
+          for (unsigned int &vertex : vertices)
+            vertex += layer * n;
+          result.faces.push_back(
+            {vertices,
+             4,
+             static_cast<unsigned int>(result.group_names.size() - 1)});
+        }
+    return result;
   }
 
 
@@ -293,6 +344,67 @@ TEST(FaultCutting, FaultThatEndsAtAnother)
   EXPECT_EQ(bodies_at(cut.topology, 0, 1), Names({"west", "east"}));
   EXPECT_EQ(bodies_at(cut.topology, 1, 0), Names({"west"}));
   EXPECT_EQ(bodies_at(cut.topology, 1, 1), Names({"east"}));
+}
+
+
+
+TEST(FaultCutting, FaultThatEndsAtAnotherInSpace)
+{
+  const auto cut = cut_at_faults(
+    extruded(read<2>("t_junction.msh", {"base", "west", "east"}), 3, 0.5),
+    {{"main", "main", {}}, {"branch", "branch", {}}});
+  const auto normals = check_cut(cut, {2.1, 1.0625, 0.8375});
+  expect_near(normals[0], Tensor<1, 3>({0., 2., 0.}));
+  expect_near(normals[1], Tensor<1, 3>({0.45, -0.25, 0.}));
+  EXPECT_TRUE(cut.tips.empty());
+  ASSERT_EQ(cut.junctions.size(), 4u);
+  for (const auto &junction : cut.junctions)
+    EXPECT_EQ(junction.n_parts, 3u);
+}
+
+
+
+// One body on all sides: the branch ends inside, and so does the other fault
+// where only half of it is one.
+TEST(FaultCutting, FaultsWithinOneBodyInSpace)
+{
+  GroupedCells<3> mesh =
+    extruded(read<2>("t_junction.msh", {"base", "west", "east"}), 2, 1.);
+  mesh.body_names = {"block"};
+  for (auto &cell : mesh.cells)
+    cell.body = 0;
+  // The fault is where its faces are left of the junction.
+  const unsigned int main =
+    std::find(mesh.group_names.begin(), mesh.group_names.end(), "main") -
+    mesh.group_names.begin();
+  mesh.faces.erase(std::remove_if(mesh.faces.begin(),
+                                  mesh.faces.end(),
+                                  [&](const auto &face) {
+                                    return face.group == main &&
+                                           mesh.centre(face)[0] > 0.;
+                                  }),
+                   mesh.faces.end());
+  const auto cut =
+    cut_at_faults(mesh, {{"main", "main", {}}, {"branch", "branch", {}}});
+  const auto normals = check_cut(cut, {8.});
+  expect_near(normals[0], Tensor<1, 3>({-0.1, 2., 0.}));
+  expect_near(normals[1], Tensor<1, 3>({-0.9, 0.5, 0.}));
+  // Both faults meet at an edge, around which there are two parts.
+  EXPECT_TRUE(cut.tips.empty());
+  EXPECT_TRUE(cut.junctions.empty());
+
+  // Without the branch the other one ends there, at three vertices.
+  mesh.faces.erase(std::remove_if(mesh.faces.begin(),
+                                  mesh.faces.end(),
+                                  [&](const auto &face) {
+                                    return mesh.group_names[face.group] ==
+                                           "branch";
+                                  }),
+                   mesh.faces.end());
+  const auto alone = cut_at_faults(mesh, {{"main", "main", {}}});
+  check_cut(alone, {8.});
+  EXPECT_EQ(alone.tips.size(), 3u);
+  EXPECT_TRUE(alone.junctions.empty());
 }
 
 

@@ -7,8 +7,30 @@
 
 #include <stickslip/mesh/body_cells.h>
 
+#include <set>
+
 namespace StickSlip
 {
+  template <int dim>
+  std::vector<Point<dim>>
+  BodyCells<dim>::vertices_on(const types::boundary_id side) const
+  {
+    std::set<unsigned int> on_side;
+    const auto             collect = [&](const auto &faces) {
+      for (const auto &face : faces)
+        if (face.boundary_id == side)
+          on_side.insert(face.vertices.begin(), face.vertices.end());
+    };
+    collect(boundary.boundary_lines);
+    collect(boundary.boundary_quads);
+    std::vector<Point<dim>> result;
+    for (const unsigned int v : on_side)
+      result.push_back(vertices[v]);
+    return result;
+  }
+
+
+
   template <int dim>
   std::shared_ptr<const Triangulation<dim>>
   BodyCells<dim>::triangulation() const

@@ -33,6 +33,10 @@ namespace StickSlip
     /** Names of the sides by boundary indicator. */
     std::map<types::boundary_id, std::string> side_names;
 
+    /** Positions of the vertices of the faces on one side, m. */
+    std::vector<Point<dim>>
+    vertices_on(const types::boundary_id side) const;
+
     /** The mesh of these cells. Throws an exception of deal.II's if they cannot
      * be one. */
     std::shared_ptr<const Triangulation<dim>>

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <string>
+
+#include "creeping_scene.h"
+#include "run_program.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  const std::string meshes = STICKSLIP_SOURCE_DIR "/tests/meshes/";
+
+
+
+  std::string
+  scene(const std::string &mesh,
+        const std::string &bodies,
+        const std::string &faults,
+        const std::string &held)
+  {
+    return "subsection Bodies\n set Names = " + bodies +
+           "\n set Mesh file = " + meshes + mesh +
+           "\nend\nsubsection Faults\n set Names = " + faults +
+           "\nend\nsubsection Boundary conditions\n set Sides = " + held +
+           "\n subsection " + held +
+           "\n  set x condition = fixed\n  set y condition = velocity\n"
+           "  set y value = 1e-3\n end\nend\n";
+  }
+
+
+
+  void
+  expect_parts(const std::string &text, const std::vector<std::string> &parts)
+  {
+    for (const std::string &part : parts)
+      EXPECT_NE(text.find(part), std::string::npos)
+        << "'" << part << "' is missing in:\n"
+        << text;
+  }
+} // namespace
+
+
+
+TEST(ProgramCheck, SaysWhatIsInAMeshFile)
+{
+  const TemporaryFolder folder;
+  folder.write(
+    "scene.prm",
+    scene("t_junction.msh", "base, west, east", "main, branch", "base bottom"));
+  const Outcome outcome = run_program(folder, "--check scene.prm");
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  expect_parts(outcome.output,
+               {"base: 24 quadrilaterals",
+                "4.2 m^2",
+                "side bottom: 8 faces, 4 m\n",
+                "first side on base: 8 faces",
+                "second side on west: 4 faces",
+                "Junction of 3 parts at (0, 0.1): main, branch\n"});
+  const std::string picture =
+    content_of(folder.file("output/scene/mesh_east.vtk"));
+  expect_parts(picture, {"DATASET UNSTRUCTURED_GRID", "BoundaryID"});
+  // Nothing was run.
+  EXPECT_FALSE(
+    std::filesystem::exists(folder.file("output/scene/time_series.csv")));
+}
+
+
+
+TEST(ProgramCheck, SaysWhereFaultsEnd)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm", scene("slit.msh", "block", "slit", "block left"));
+  const Outcome outcome = run_program(folder, "--check scene.prm");
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  expect_parts(outcome.output,
+               {"triangles",
+                "first side on block: 4 faces, 1 m\n",
+                "second side on block: 4 faces, 1 m\n",
+                "ends inside a body at (-0.5, 0), (0.5, 0)\n"});
+}
+
+
+
+TEST(ProgramCheck, WorksForBricks)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm", creeping_bodies);
+  const Outcome outcome = run_program(folder, "scene.prm --check");
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  expect_parts(outcome.output, {"quadrilaterals", "side left: ", "first side"});
+}
