@@ -56,13 +56,15 @@ TEST(ProgramCheck, SaysWhatIsInAMeshFile)
   expect_parts(outcome.output,
                {"base: 24 quadrilaterals",
                 "4.2 m^2",
-                "side bottom: 8 faces, 4 m\n",
-                "first side on base: 8 faces",
-                "second side on west: 4 faces",
+                "side bottom (1): 8 faces, 4 m\n",
+                "first side on base (4): 8 faces",
+                "second side on west (3): 4 faces",
                 "Junction of 3 parts at (0, 0.1): main, branch\n"});
   const std::string picture =
     content_of(folder.file("output/scene/mesh_east.vtk"));
-  expect_parts(picture, {"DATASET UNSTRUCTURED_GRID", "BoundaryID"});
+  // Twelve cells and fourteen faces around them.
+  expect_parts(picture,
+               {"DATASET UNSTRUCTURED_GRID", "CELLS 26 ", "MaterialID"});
   // Nothing was run.
   EXPECT_FALSE(
     std::filesystem::exists(folder.file("output/scene/time_series.csv")));
@@ -79,8 +81,8 @@ TEST(ProgramCheck, SaysWhereFaultsEnd)
   EXPECT_EQ(outcome.errors, "");
   expect_parts(outcome.output,
                {"triangles",
-                "first side on block: 4 faces, 1 m\n",
-                "second side on block: 4 faces, 1 m\n",
+                "first side on block (5): 4 faces, 1 m\n",
+                "second side on block (6): 4 faces, 1 m\n",
                 "ends inside a body at (-0.5, 0), (0.5, 0)\n"});
 }
 
@@ -93,5 +95,6 @@ TEST(ProgramCheck, WorksForBricks)
   const Outcome outcome = run_program(folder, "scene.prm --check");
   EXPECT_EQ(outcome.exit_status, 0);
   EXPECT_EQ(outcome.errors, "");
-  expect_parts(outcome.output, {"quadrilaterals", "side left: ", "first side"});
+  expect_parts(outcome.output,
+               {"quadrilaterals", "side left (1): ", "first side"});
 }

@@ -6,6 +6,8 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/scene/mesh_entries.h>
 
+#include <sstream>
+
 namespace StickSlip
 {
   std::array<std::vector<MeshFault::Side>, 2>
@@ -20,22 +22,30 @@ namespace StickSlip
                        "'footwall, hanging_wall', or two sides of bodies, such "
                        "as 'lower top, left bottom + right bottom'.");
     };
-    const std::vector<std::string> sides =
-      Utilities::split_string_list(text, ',');
+    // Neither a comma nor a plus sign may stand at the end.
+    const auto split = [](const std::string &list, const char separator) {
+      std::vector<std::string> parts = {""};
+      for (const char c : list)
+        if (c == separator)
+          parts.emplace_back();
+        else
+          parts.back() += c;
+      return parts;
+    };
+    const std::vector<std::string> sides = split(text, ',');
     if (sides.size() != 2)
       refuse();
     for (const unsigned int side : {0, 1})
-      for (const std::string &part :
-           Utilities::split_string_list(sides[side], '+'))
+      for (const std::string &part : split(sides[side], '+'))
         {
-          const std::vector<std::string> words =
-            Utilities::split_string_list(part, ' ');
-          if (words.empty() || words.size() > 2 || words[0].empty())
+          std::istringstream       stream(part);
+          std::vector<std::string> words;
+          for (std::string word; stream >> word;)
+            words.push_back(word);
+          if (words.empty() || words.size() > 2)
             refuse();
           result[side].push_back({words[0], words.size() == 2 ? words[1] : ""});
         }
-    if (result[0].empty() || result[1].empty())
-      refuse();
     return result;
   }
 

@@ -18,6 +18,15 @@ namespace StickSlip
 {
   namespace
   {
+    /** Number of a side in the pictures, where zero is for cells. */
+    types::boundary_id
+    number(const types::boundary_id side)
+    {
+      return side + 1;
+    }
+
+
+
     template <int dim>
     std::string
     name_of_cells(const Triangulation<dim> &mesh)
@@ -128,8 +137,8 @@ namespace StickSlip
         sizes.push_back(side_sizes(mesh));
         for (const auto &side : bodies[b].side_names)
           if (!scene.topology.is_at_fault(b, side.first))
-            out << "    side " << side.second << ": "
-                << sizes[b][side.first].text() << '\n';
+            out << "    side " << side.second << " (" << number(side.first)
+                << "): " << sizes[b][side.first].text() << '\n';
       }
 
     out << "Faults:" << (scene.faults.empty() ? " none" : "") << '\n';
@@ -140,8 +149,8 @@ namespace StickSlip
         for (const unsigned int side : {0, 1})
           for (const BodySide &part : fault.sides[side])
             out << "    " << (side == 0 ? "first" : "second") << " side on "
-                << scene.bodies[part.body].name << ": "
-                << sizes[part.body][part.side].text() << '\n';
+                << scene.bodies[part.body].name << " (" << number(part.side)
+                << "): " << sizes[part.body][part.side].text() << '\n';
         if (scene.mesh == nullptr)
           continue;
         std::vector<Point<dim>> tips;
@@ -189,7 +198,12 @@ namespace StickSlip
                                              /*output_faces=*/true,
                                              /*output_edges=*/false,
                                              /*output_only_relevant=*/true));
-        grid_out.write_vtk(*bodies[b].cells, file);
+        Triangulation<dim> numbered;
+        numbered.copy_triangulation(*bodies[b].cells);
+        for (const auto &face : numbered.active_face_iterators())
+          if (face->at_boundary())
+            face->set_boundary_id(number(face->boundary_id()));
+        grid_out.write_vtk(numbered, file);
         if (!file)
           throw InputError("The file '" + name + "' cannot be written.");
       }

@@ -21,9 +21,10 @@ namespace StickSlip
   report_meshes(const SceneParameters<dim> &scene, std::ostream &out);
 
   /**
-   * Write the coarse cells of each body and their boundary faces with
-   * their indicators, as 'mesh_<body>.vtk' in a folder, which is made. Throws
-   * InputError if that cannot be.
+   * Write the coarse cells of each body and its boundary faces, with the
+   * numbers that report_meshes() has in brackets as material, in
+   * 'mesh_<body>.vtk' in a folder, which is made. Throws InputError if that
+   * cannot be.
    */
   template <int dim>
   void
