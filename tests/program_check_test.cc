@@ -88,6 +88,29 @@ TEST(ProgramCheck, SaysWhereFaultsEnd)
 
 
 
+TEST(ProgramCheck, RefusesWhatCannotBeRefined)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm",
+               "set Dimension = 3\n" +
+                 scene("patch.msh", "block", "patch", "block bottom"));
+  const Outcome fine =
+    run_program(folder,
+                "--check scene.prm --set 'Boundary conditions/block bottom/"
+                "z condition=fixed'");
+  EXPECT_EQ(fine.errors, "");
+  expect_parts(fine.output, {"tetrahedra", "ends inside a body at"});
+  const Outcome outcome =
+    run_program(folder,
+                "--check scene.prm --set 'Boundary conditions/block bottom/"
+                "z condition=fixed' --set 'Bodies/block/Refinement passes=2'");
+  EXPECT_EQ(outcome.exit_status, 1);
+  expect_parts(outcome.errors,
+               {"'Bodies/block/Refinement passes' = '2'", "tetrahedra"});
+}
+
+
+
 TEST(ProgramCheck, WorksForBricks)
 {
   const TemporaryFolder folder;

@@ -209,6 +209,43 @@ TEST(MeshScene, WrittenParametersCanBeReadAnywhere)
 
 
 
+// Only the right half of the fault is refined, in bricks as well.
+TEST(MeshScene, RefinesWhereItIsSaid)
+{
+  const TemporaryFolder folder;
+  for (const std::string &bodies : {bricks, layers})
+    {
+      const auto scene =
+        read_scene(folder,
+                   with(bodies + rest, "lower", "Refine where = x - 1"));
+      const MeshHierarchy<2> meshes(scene.coarse_bodies(),
+                                    scene.topology,
+                                    MPI_COMM_WORLD);
+      unsigned int           n_long_left = 0, n_short_right = 0;
+      const auto             lower = meshes.finest().surface(0, 0);
+      for (unsigned int f = 0; f < lower.faces.size(); ++f)
+        {
+          const double x = std::min(lower.points[lower.faces[f][0]][0],
+                                    lower.points[lower.faces[f][1]][0]);
+          n_long_left += x < 0.5 && lower.face_size(f) > 0.4;
+          n_short_right += x > 1.2 && lower.face_size(f) < 0.2;
+        }
+      EXPECT_EQ(n_long_left, 6u);
+      EXPECT_EQ(n_short_right, 10u);
+      EXPECT_EQ(meshes.finest().surface(0, 1).faces.size(), 40u);
+    }
+  expect_one_sentence_with(message_of([&]() {
+                             read_scene(folder,
+                                        with(layers + rest,
+                                             "lower",
+                                             "Refine where = y + depth"))
+                               .coarse_bodies();
+                           }),
+                           {"Bodies/lower/Refine where", "depth"});
+}
+
+
+
 TEST(MeshScene, BetweenIsTakenApart)
 {
   const auto bodies = parse_between("footwall,  hanging_wall");

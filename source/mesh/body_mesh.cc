@@ -87,18 +87,21 @@ namespace StickSlip
 
 
 
-    /** Refine every cell with a vertex on one of the sides. */
+    /** Refine every cell with a vertex on one of the sides, and where a
+     * function is greater than zero if there is one. */
     template <int dim>
     void
-    refine_at(const std::set<types::boundary_id> &sides,
-              Triangulation<dim>                 &mesh)
+    refine_at(const std::set<types::boundary_id>              &sides,
+              const std::function<double(const Point<dim> &)> &where,
+              Triangulation<dim>                              &mesh)
     {
       std::vector<bool> is_on_side(mesh.n_vertices(), false);
       for (const auto &cell : mesh.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
             for (const auto v : face->vertex_indices())
-              is_on_side[face->vertex_index(v)] = true;
+              if (!where || where(face->vertex(v)) > 0.)
+                is_on_side[face->vertex_index(v)] = true;
 
       bool any = false;
       for (const auto &cell : mesh.active_cell_iterators())
@@ -153,7 +156,7 @@ namespace StickSlip
       {
         refined->refine_global(body.uniform_refinements);
         for (unsigned int pass = 0; pass < body.refinement_passes; ++pass)
-          refine_at(sides_at_faults, *refined);
+          refine_at(sides_at_faults, body.refine_where, *refined);
       }
     mesh = refined;
     distribute_dofs();

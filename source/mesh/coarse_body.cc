@@ -30,6 +30,7 @@ namespace StickSlip
     body.cells               = cells;
     body.uniform_refinements = geometry.uniform_refinements;
     body.refinement_passes   = geometry.refinement_passes;
+    body.refine_where        = geometry.where_to_refine();
     body.rigid               = geometry.rigid;
     body.period              = geometry.period();
     body.lateral_lower       = geometry.lateral_lower;

@@ -207,6 +207,22 @@ namespace StickSlip
 
 
 
+    /** Tetrahedra can be refined as a whole only. */
+    void
+    check_refinement(const SceneParameters<3> &scene)
+    {
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        if (scene.mesh->bodies[b].cells[0].vertices.size() == 4 &&
+            scene.bodies[b].geometry.refinement_passes > 0)
+          throw InputError(
+            naming("Bodies/" + scene.bodies[b].name + "/Refinement passes",
+                   scene.bodies[b].geometry.refinement_passes) +
+            ": must be 0, since tetrahedra are refined all over only; those at "
+            "the faults must be small in the mesh file.");
+    }
+
+
+
     /** Check that there is a value at each point and time. */
     template <int dim>
     void
@@ -413,6 +429,8 @@ namespace StickSlip
     check_output(scene.output, scene.time.inertia);
     if (scene.mesh == nullptr)
       check_bodies(scene);
+    else if constexpr (dim == 3)
+      check_refinement(scene);
     check_materials(scene);
     check_faults(scene);
     check_doubling(scene);

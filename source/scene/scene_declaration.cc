@@ -45,6 +45,7 @@ namespace StickSlip
       for (BodyParameters<dim> &body : scene.bodies)
         {
           prm.enter_subsection(body.name);
+          body.geometry.section = "Bodies/" + body.name;
           body.geometry.add_parameters(prm);
           prm.enter_subsection("Material");
           body.material.section = "Bodies/" + body.name + "/Material";

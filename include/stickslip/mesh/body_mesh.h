@@ -38,8 +38,9 @@ namespace StickSlip
   public:
     /**
      * The mesh of a body: coarse cells, refined all over, then passes that
-     * each refine every cell with a vertex on one of the @p sides_at_faults.
-     * Throws InputError if these are tetrahedra.
+     * each refine every cell with a vertex on one of the @p sides_at_faults,
+     * as far as CoarseBody::refine_where says. Throws InputError if these are
+     * tetrahedra.
      */
     BodyMesh(const CoarseBody<dim>              &body,
              const std::set<types::boundary_id> &sides_at_faults);

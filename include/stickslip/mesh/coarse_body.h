@@ -9,6 +9,7 @@
 #include <stickslip/mesh/body_geometry.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -35,6 +36,10 @@ namespace StickSlip
      * touching a fault. */
     unsigned int uniform_refinements = 0;
     unsigned int refinement_passes   = 0;
+
+    /** Function of the position that is greater than zero where the passes
+     * refine; empty: everywhere. */
+    std::function<double(const Point<dim> &)> refine_where;
 
     /** True if the body does not deform; it is not refined then. */
     bool rigid = false;
