@@ -8,6 +8,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/libraries.h>
 #include <stickslip/scene/command_line.h>
+#include <stickslip/scene/mesh_report.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/simulation.h>
@@ -39,6 +40,24 @@ namespace
 
 
 
+  template <int dim>
+  int
+  check(const SceneReader &reader, const bool is_first_process)
+  {
+    carry_out_agreed(MPI_COMM_WORLD, [&]() {
+      const auto scene = reader.read<dim>();
+      if (!is_first_process)
+        return;
+      report_meshes(scene, std::cout);
+      write_mesh_pictures(scene, scene.output.directory);
+      std::cout << "The meshes are in " << scene.output.directory
+                << "/mesh_*.vtk." << std::endl;
+    });
+    return 0;
+  }
+
+
+
   int
   carry_out(const CommandLine &command_line, const bool may_print)
   {
@@ -56,6 +75,7 @@ namespace
           if (may_print)
             print_parameter_reference(std::cout);
           return 0;
+        case CommandLine::Task::check:
         case CommandLine::Task::run:
           {
             std::unique_ptr<SceneReader> reader;
@@ -64,9 +84,10 @@ namespace
                 std::make_unique<SceneReader>(command_line.parameter_file,
                                               command_line.overrides);
             });
+            const bool is_check = command_line.task == CommandLine::Task::check;
             if (reader->dimension() == 2)
-              return run<2>(*reader);
-            return run<3>(*reader);
+              return is_check ? check<2>(*reader, may_print) : run<2>(*reader);
+            return is_check ? check<3>(*reader, may_print) : run<3>(*reader);
           }
       }
     return 1;

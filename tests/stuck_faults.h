@@ -57,6 +57,19 @@ namespace StickSlip
       , problem(meshes, {materials.begin(), materials.end()}, boundary, gravity)
     {}
 
+    /** Bodies of any cells; they are named in the topology. */
+    SpatialScene(const std::vector<CoarseBody<dim>>        &bodies,
+                 const FaultTopology                       &topology,
+                 const std::vector<BoundaryCondition<dim>> &conditions,
+                 const std::vector<Material>               &materials,
+                 const Tensor<1, dim>                      &gravity,
+                 const MPI_Comm communicator = MPI_COMM_WORLD)
+      : meshes(bodies, topology, communicator)
+      , materials(materials)
+      , boundary(meshes, conditions, topology.body_names())
+      , problem(meshes, {materials.begin(), materials.end()}, boundary, gravity)
+    {}
+
     /** With gravity of this size along the last axis. */
     SpatialScene(const std::vector<BodyGeometry<dim>>      &bodies,
                  const std::vector<BoundaryCondition<dim>> &conditions,
@@ -100,10 +113,11 @@ namespace StickSlip
 
   /**
    * Improve the active components of @p w until A w = b holds there, for the
-   * operator A = sum of coefficients times M, C and K.
+   * operator A = sum of coefficients times M, C and K. Returns the number of
+   * iterations.
    */
   template <int dim>
-  void
+  unsigned int
   solve_linear(SpatialProblem<dim>       &problem,
                const std::vector<double> &coefficients,
                const NodeMask            &active,
@@ -121,13 +135,14 @@ namespace StickSlip
     active.apply(residual);
     correction = 0.;
     if (residual.l2_norm() == 0.)
-      return;
+      return 0;
     SolverControl control(500, reduction * residual.l2_norm());
     SolverCG<NodalVector>(control).solve(LinearisedOperator<dim>{hierarchy},
                                          correction,
                                          residual,
                                          CyclePreconditioner<dim>{hierarchy});
     w += correction;
+    return control.last_step();
   }
 } // namespace StickSlip
 

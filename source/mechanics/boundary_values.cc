@@ -289,11 +289,14 @@ namespace StickSlip
         if (!has_traction(side.condition))
           continue;
         const DoFHandler<dim> &dofs = level.bodies[side.body]->dof_handler();
-        const double      ramp = smooth_ramp(time, side.condition.ramp_length);
-        FEFaceValues<dim> fe_values(dofs.get_fe(),
-                                    QGauss<dim - 1>(3),
-                                    update_values | update_quadrature_points |
-                                      update_JxW_values);
+        const double ramp = smooth_ramp(time, side.condition.ramp_length);
+        // Faces of a body are of one shape.
+        const ReferenceCell face_shape =
+          dofs.get_fe().reference_cell().face_reference_cell(0);
+        FEFaceValues<dim> fe_values(
+          dofs.get_fe(),
+          face_shape.template get_gauss_type_quadrature<dim - 1>(3),
+          update_values | update_quadrature_points | update_JxW_values);
         std::vector<types::global_dof_index> cell_dofs(fe_values.dofs_per_cell);
         for (const auto &cell : dofs.active_cell_iterators())
           for (const unsigned int f : cell->face_indices())

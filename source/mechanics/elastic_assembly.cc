@@ -36,10 +36,11 @@ namespace StickSlip
             continue;
           const DoFHandler<dim> &dof_handler =
             level.bodies[body]->dof_handler();
-          const QGauss<dim> quadrature(dof_handler.get_fe().degree + 1);
-          FEValues<dim>     fe_values(dof_handler.get_fe(),
-                                  quadrature,
-                                  flags | update_JxW_values);
+          const FiniteElement<dim> &fe = dof_handler.get_fe();
+          const Quadrature<dim>     quadrature =
+            fe.reference_cell().template get_gauss_type_quadrature<dim>(
+              fe.degree + 1);
+          FEValues<dim> fe_values(fe, quadrature, flags | update_JxW_values);
           std::vector<types::global_dof_index> dofs(fe_values.dofs_per_cell);
           std::vector<GlobalRow>               bound(fe_values.dofs_per_cell);
           std::vector<LocalRow>                rows(fe_values.dofs_per_cell);

@@ -109,6 +109,17 @@ namespace StickSlip
 
 
   template <int dim>
+  std::function<double(const Point<dim> &)>
+  BodyGeometry<dim>::where_to_refine() const
+  {
+    if (refine_where.is_constant() && refine_where.constant() > 0)
+      return {};
+    return refine_where.function<dim>(section);
+  }
+
+
+
+  template <int dim>
   void
   BodyGeometry<dim>::add_parameters(ParameterHandler &prm)
   {
@@ -164,6 +175,12 @@ namespace StickSlip
               0,
               20,
               "How many times all cells that touch a fault are halved.");
+    add_field(prm,
+              "Refine where",
+              refine_where,
+              NumberRange(),
+              "The passes halve the cells that touch a fault where this is "
+              "greater than 0, as in 'y + 36e3'.");
   }
 
 

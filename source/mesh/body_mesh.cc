@@ -3,10 +3,10 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_generator.h>
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/mesh/body_mesh.h>
 
 #include <algorithm>
@@ -22,41 +22,42 @@ namespace StickSlip
 
 
 
-    /** Flag what is active below @p cell and refined below @p pattern; returns
-     * whether there is any. */
+    /** Flag the active cells below @p cell that have grandchildren at the same
+     * place in a finer mesh; returns true if there are any. */
     template <int dim>
     bool
-    flag_for_refinement(const CellIterator<dim> &cell,
-                        const CellIterator<dim> &pattern)
+    flag_where_grandchildren(const CellIterator<dim> &cell,
+                             const CellIterator<dim> &finer)
     {
-      if (pattern->is_active())
+      if (finer->is_active())
         return false;
-      if (cell->is_active())
-        {
-          cell->set_refine_flag();
-          return true;
-        }
       bool any = false;
-      for (unsigned int child = 0; child < cell->n_children(); ++child)
-        any |=
-          flag_for_refinement<dim>(cell->child(child), pattern->child(child));
+      for (unsigned int child = 0; child < finer->n_children(); ++child)
+        if (cell->is_active())
+          any |= finer->child(child)->has_children();
+        else
+          any |= flag_where_grandchildren<dim>(cell->child(child),
+                                               finer->child(child));
+      if (any && cell->is_active())
+        cell->set_refine_flag();
       return any;
     }
 
 
 
-    /** Refine a mesh of the same coarse cells until it is like @p pattern. */
+    /** Refine a mesh of the same coarse cells until it is like a finer one,
+     * with every cell coarsened that can be. */
     template <int dim>
     void
-    refine_alike(Triangulation<dim> &mesh, const Triangulation<dim> &pattern)
+    refine_less(Triangulation<dim> &mesh, const Triangulation<dim> &finer)
     {
       while (true)
         {
-          bool any             = false;
-          auto cell_of_pattern = pattern.begin(0);
+          bool any        = false;
+          auto finer_cell = finer.begin(0);
           for (auto cell = mesh.begin(0); cell != mesh.end(0);
-               ++cell, ++cell_of_pattern)
-            any |= flag_for_refinement<dim>(cell, cell_of_pattern);
+               ++cell, ++finer_cell)
+            any |= flag_where_grandchildren<dim>(cell, finer_cell);
           if (!any)
             return;
           mesh.execute_coarsening_and_refinement();
@@ -75,6 +76,9 @@ namespace StickSlip
       Tensor<1, dim> area;
       if constexpr (dim == 2)
         area = cross_product_2d(face->vertex(1) - face->vertex(0));
+      else if (face->n_vertices() == 3)
+        area = 0.5 * cross_product_3d(face->vertex(1) - face->vertex(0),
+                                      face->vertex(2) - face->vertex(0));
       else
         area = 0.5 * cross_product_3d(face->vertex(3) - face->vertex(0),
                                       face->vertex(2) - face->vertex(1));
@@ -83,18 +87,21 @@ namespace StickSlip
 
 
 
-    /** Refine every cell with a vertex on one of the sides. */
+    /** Refine every cell with a vertex on one of the sides, and where a
+     * function is greater than zero if there is one. */
     template <int dim>
     void
-    refine_at(const std::set<types::boundary_id> &sides,
-              Triangulation<dim>                 &mesh)
+    refine_at(const std::set<types::boundary_id>              &sides,
+              const std::function<double(const Point<dim> &)> &where,
+              Triangulation<dim>                              &mesh)
     {
       std::vector<bool> is_on_side(mesh.n_vertices(), false);
       for (const auto &cell : mesh.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
             for (const auto v : face->vertex_indices())
-              is_on_side[face->vertex_index(v)] = true;
+              if (!where || where(face->vertex(v)) > 0.)
+                is_on_side[face->vertex_index(v)] = true;
 
       bool any = false;
       for (const auto &cell : mesh.active_cell_iterators())
@@ -114,36 +121,44 @@ namespace StickSlip
   template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyGeometry<dim>            &geometry,
                           const std::set<types::boundary_id> &sides_at_faults)
-    : lateral_lower(geometry.lateral_lower)
-    , period(geometry.period())
-    , rigid(geometry.rigid)
-    , mesh(std::make_unique<Triangulation<dim>>())
-  {
-    GridGenerator::subdivided_hyper_rectangle(
-      *mesh,
-      rigid ? std::vector<unsigned int>(dim, 1) :
-              std::vector<unsigned int>(geometry.coarse_cells.begin(),
-                                        geometry.coarse_cells.end()),
-      geometry.lower_corner(),
-      geometry.upper_corner(),
-      /*colorize=*/true);
-    if (geometry.is_sloped())
-      GridTools::transform(
-        [&geometry](const Point<dim> &point) { return geometry.sloped(point); },
-        *mesh);
-    const auto unrefined = std::make_shared<Triangulation<dim>>();
-    unrefined->copy_triangulation(*mesh);
-    coarse_cells = unrefined;
-    join_periodic_sides(*mesh);
-    if (rigid)
-      {
-        distribute_dofs();
-        return;
-      }
-    mesh->refine_global(geometry.uniform_refinements);
+    : BodyMesh(coarse_brick(geometry), sides_at_faults)
+  {}
 
-    for (unsigned int pass = 0; pass < geometry.refinement_passes; ++pass)
-      refine_at(sides_at_faults, *mesh);
+
+
+  template <int dim>
+  BodyMesh<dim>::BodyMesh(const CoarseBody<dim>              &body,
+                          const std::set<types::boundary_id> &sides_at_faults)
+    : lateral_lower(body.lateral_lower)
+    , period(body.period)
+    , rigid(body.rigid)
+    , coarse_cells(body.cells)
+  {
+    if constexpr (dim == 3)
+      if (coarse_cells->all_reference_cells_are_simplex())
+        {
+          if (body.refinement_passes > 0 && !sides_at_faults.empty())
+            throw InputError("Tetrahedra cannot be refined at faults only; "
+                             "they must be small there in the mesh file.");
+          mesh = coarse_cells;
+          for (unsigned int i = 0; i < body.uniform_refinements && !rigid; ++i)
+            {
+              red_refinements.push_back(
+                std::make_shared<const RedRefinement>(*mesh));
+              mesh = red_refinements.back()->mesh;
+            }
+          distribute_dofs();
+          return;
+        }
+
+    const std::shared_ptr<Triangulation<dim>> refined = copy_coarse_cells();
+    if (!rigid)
+      {
+        refined->refine_global(body.uniform_refinements);
+        for (unsigned int pass = 0; pass < body.refinement_passes; ++pass)
+          refine_at(sides_at_faults, body.refine_where, *refined);
+      }
+    mesh = refined;
     distribute_dofs();
   }
 
@@ -155,23 +170,38 @@ namespace StickSlip
     , period(finer.period)
     , rigid(finer.rigid)
     , coarse_cells(finer.coarse_cells)
-    , mesh(std::make_unique<Triangulation<dim>>())
+    , red_refinements(finer.red_refinements)
   {
-    Triangulation<dim> coarsened;
-    coarsened.copy_triangulation(*finer.mesh);
-    for (const auto &cell : coarsened.active_cell_iterators())
-      if (cell->level() > 0)
-        cell->set_coarsen_flag();
-    coarsened.execute_coarsening_and_refinement();
-    AssertThrow(coarsened.n_active_cells() < finer.mesh->n_active_cells(),
-                ExcMessage("The mesh of a body could not be coarsened."));
+    if constexpr (dim == 3)
+      if (!red_refinements.empty())
+        {
+          red_refinements.pop_back();
+          mesh = red_refinements.empty() ? coarse_cells :
+                                           red_refinements.back()->mesh;
+          distribute_dofs();
+          return;
+        }
 
-    // A mesh that has been coarsened keeps the memory of the finer one.
-    mesh->copy_triangulation(*coarse_cells);
-    join_periodic_sides(*mesh);
-    refine_alike(*mesh, coarsened);
-    AssertDimension(mesh->n_active_cells(), coarsened.n_active_cells());
+    // A mesh that has been coarsened keeps the memory of the finer one, and
+    // triangles cannot be coarsened.
+    const std::shared_ptr<Triangulation<dim>> refined = copy_coarse_cells();
+    refine_less(*refined, *finer.mesh);
+    AssertThrow(refined->n_active_cells() < finer.mesh->n_active_cells(),
+                ExcMessage("The mesh of a body could not be coarsened."));
+    mesh = refined;
     distribute_dofs();
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<Triangulation<dim>>
+  BodyMesh<dim>::copy_coarse_cells() const
+  {
+    const auto result = std::make_shared<Triangulation<dim>>();
+    result->copy_triangulation(*coarse_cells);
+    join_periodic_sides(*result);
+    return result;
   }
 
 
@@ -199,7 +229,10 @@ namespace StickSlip
   BodyMesh<dim>::distribute_dofs()
   {
     dofs = std::make_unique<DoFHandler<dim>>(*mesh);
-    dofs->distribute_dofs(FE_Q<dim>(1));
+    if (mesh->all_reference_cells_are_hyper_cube())
+      dofs->distribute_dofs(FE_Q<dim>(1));
+    else
+      dofs->distribute_dofs(FE_SimplexP<dim>(1));
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
@@ -241,7 +274,17 @@ namespace StickSlip
   bool
   BodyMesh<dim>::can_be_coarsened() const
   {
-    return mesh->n_levels() > 1;
+    return mesh->n_levels() > 1 || !red_refinements.empty();
+  }
+
+
+
+  template <int dim>
+  const std::vector<std::array<unsigned int, 2>> &
+  BodyMesh<dim>::vertex_parents() const
+  {
+    static const std::vector<std::array<unsigned int, 2>> none;
+    return red_refinements.empty() ? none : red_refinements.back()->parents;
   }
 
 
@@ -269,7 +312,8 @@ namespace StickSlip
             {
               faces.emplace_back();
               faces.back().outward = outward_area<dim>(face, cell->center());
-              for (unsigned int v = 0; v < n_vertices; ++v)
+              faces.back().dofs.fill(numbers::invalid_dof_index);
+              for (unsigned int v = 0; v < face->n_vertices(); ++v)
                 {
                   const auto [dof, wraps] =
                     node_of_vertex(face->vertex_dof_index(v, 0),
@@ -304,13 +348,15 @@ namespace StickSlip
       }
     for (Face &face : faces)
       for (auto &dof : face.dofs)
-        dof = position[dof];
+        if (dof != numbers::invalid_dof_index)
+          dof = position[dof];
     std::sort(faces.begin(), faces.end(), [](const Face &a, const Face &b) {
       return std::tie(a.dofs, a.wraps) < std::tie(b.dofs, b.wraps);
     });
     for (const Face &face : faces)
       {
         surface.faces.emplace_back();
+        // The invalid numbers of both types have all bits.
         std::copy(face.dofs.begin(),
                   face.dofs.end(),
                   surface.faces.back().begin());

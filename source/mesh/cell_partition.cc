@@ -299,7 +299,12 @@ namespace StickSlip
   {
     std::vector<unsigned int> owners(coarse.triangulation().n_vertices(),
                                      numbers::invalid_unsigned_int);
-    auto                      fine_cell = fine.triangulation().begin(0);
+    if (&coarse != &fine && !fine.vertex_parents().empty())
+      {
+        std::copy_n(fine_owners.begin(), owners.size(), owners.begin());
+        return owners;
+      }
+    auto fine_cell = fine.triangulation().begin(0);
     for (auto cell = coarse.triangulation().begin(0);
          cell != coarse.triangulation().end(0);
          ++cell, ++fine_cell)

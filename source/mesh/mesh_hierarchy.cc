@@ -89,6 +89,18 @@ namespace StickSlip
 
 
 
+    template <int dim>
+    std::vector<CoarseBody<dim>>
+    coarse_bricks(const std::vector<BodyGeometry<dim>> &geometries)
+    {
+      std::vector<CoarseBody<dim>> result;
+      for (const BodyGeometry<dim> &geometry : geometries)
+        result.push_back(coarse_brick(geometry));
+      return result;
+    }
+
+
+
     std::vector<std::string>
     numbers_from_one(const unsigned int n)
     {
@@ -117,21 +129,35 @@ namespace StickSlip
 
   template <int dim>
   MeshHierarchy<dim>::MeshHierarchy(
-    const std::vector<BodyGeometry<dim>> &geometries,
+    const std::vector<BodyGeometry<dim>> &bodies,
     const FaultTopology                  &topology,
     const MPI_Comm                       &communicator,
     const unsigned int                    min_nodes_per_process)
+    : MeshHierarchy(coarse_bricks(bodies),
+                    topology,
+                    communicator,
+                    min_nodes_per_process)
+  {}
+
+
+
+  template <int dim>
+  MeshHierarchy<dim>::MeshHierarchy(
+    const std::vector<CoarseBody<dim>> &coarse_bodies,
+    const FaultTopology                &topology,
+    const MPI_Comm                     &communicator,
+    const unsigned int                  min_nodes_per_process)
     : faults(topology)
   {
-    AssertDimension(geometries.size(), topology.body_names().size());
+    AssertDimension(coarse_bodies.size(), topology.body_names().size());
     const unsigned int n_processes =
       Utilities::MPI::n_mpi_processes(communicator);
 
     // All meshes, the finest first.
     std::vector<Bodies<dim>> meshes(1);
-    for (unsigned int i = 0; i < geometries.size(); ++i)
+    for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
       meshes[0].push_back(
-        std::make_shared<BodyMesh<dim>>(geometries[i],
+        std::make_shared<BodyMesh<dim>>(coarse_bodies[i],
                                         topology.sides_at_faults(i)));
     const auto can_be_coarsened = [](const auto &body) {
       return body->can_be_coarsened();
@@ -148,14 +174,14 @@ namespace StickSlip
     std::vector<std::vector<unsigned int>>       owners_of_vertices;
     const std::vector<std::vector<unsigned int>> owners_of_cells =
       partition_cells<dim>(meshes.front(), topology, n_processes);
-    for (unsigned int i = 0; i < geometries.size(); ++i)
+    for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
       owners_of_vertices.push_back(
         vertex_owners<dim>(*meshes.front()[i], owners_of_cells[i]));
 
     for (unsigned int l = 0; l < meshes.size(); ++l)
       {
         if (l > 0)
-          for (unsigned int i = 0; i < geometries.size(); ++i)
+          for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
             owners_of_vertices[i] =
               inherited_vertex_owners<dim>(*meshes[l][i],
                                            *meshes[l - 1][i],

@@ -12,15 +12,15 @@ namespace StickSlip
   namespace
   {
     /**
-     * Walks the trees of a fine and a coarse mesh of one body together. Below
-     * an active coarse cell, @p values holds the coarse cell's basis functions
-     * at the vertices of the current fine cell.
+     * The rows of one body. Trees of a fine and a coarse mesh are walked
+     * together; below an active coarse cell, @p values holds the coarse cell's
+     * basis functions at the vertices of the current fine cell.
      */
     template <int dim>
-    class TreeWalk
+    class BodyRows
     {
     public:
-      TreeWalk(const MeshLevel<dim>   &coarse,
+      BodyRows(const MeshLevel<dim>   &coarse,
                const MeshLevel<dim>   &fine,
                const unsigned int      body,
                const IndexSet         &wanted,
@@ -35,8 +35,14 @@ namespace StickSlip
       {}
 
       void
-      walk()
+      make()
       {
+        if (coarse.bodies[body] != fine.bodies[body] &&
+            !fine.bodies[body]->vertex_parents().empty())
+          {
+            from_edges();
+            return;
+          }
         auto coarse_cell = coarse.bodies[body]->dof_handler().begin(0);
         const DoFHandler<dim> &fine_dof_handler =
           fine.bodies[body]->dof_handler();
@@ -48,6 +54,41 @@ namespace StickSlip
 
     private:
       using Cell = typename DoFHandler<dim>::cell_iterator;
+
+      /** Nodes of meshes that are no trees. None of them are bound. */
+      void
+      from_edges()
+      {
+        const auto &parents = fine.bodies[body]->vertex_parents();
+        std::vector<types::global_dof_index> coarse_dof_of_vertex(
+          coarse.bodies[body]->triangulation().n_vertices());
+        for (const auto &cell :
+             coarse.bodies[body]->dof_handler().active_cell_iterators())
+          for (const auto v : cell->vertex_indices())
+            coarse_dof_of_vertex[cell->vertex_index(v)] =
+              cell->vertex_dof_index(v, 0);
+        for (const auto &cell :
+             fine.bodies[body]->dof_handler().active_cell_iterators())
+          for (const auto v : cell->vertex_indices())
+            {
+              const types::global_dof_index node =
+                fine.global_node(body, cell->vertex_dof_index(v, 0));
+              if (!wanted.is_element(node))
+                continue;
+              GlobalRow &row = rows[wanted.index_within_set(node)];
+              if (!row.empty())
+                continue;
+              const auto &[a, b]     = parents[cell->vertex_index(v)];
+              const auto coarse_node = [&](const unsigned int vertex) {
+                return coarse.global_node(body, coarse_dof_of_vertex[vertex]);
+              };
+              if (a == b)
+                row.emplace_back(coarse_node(a), 1.);
+              else
+                for (const unsigned int end : {a, b})
+                  row.emplace_back(coarse_node(end), 0.5);
+            }
+      }
 
       void
       both(const Cell &fine_cell, const Cell &coarse_cell)
@@ -121,7 +162,7 @@ namespace StickSlip
   {
     std::vector<GlobalRow> rows(wanted.n_elements());
     for (unsigned int body = 0; body < fine.bodies.size(); ++body)
-      TreeWalk<dim>(coarse, fine, body, wanted, rows).walk();
+      BodyRows<dim>(coarse, fine, body, wanted, rows).make();
     for (const GlobalRow &row : rows)
       {
         for (const auto &entry : row)

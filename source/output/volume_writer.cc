@@ -62,9 +62,8 @@ namespace StickSlip
     cell_strains(const DoFHandler<dim> &dofs,
                  const Vector<double>  &displacement)
     {
-      Point<dim> centre;
-      for (unsigned int d = 0; d < dim; ++d)
-        centre[d] = 0.5;
+      const Point<dim> centre =
+        dofs.get_fe().reference_cell().template barycenter<dim>();
       FEValues<dim>                        at_centre(dofs.get_fe(),
                               Quadrature<dim>(centre),
                               update_gradients);
@@ -119,7 +118,8 @@ namespace StickSlip
         , body(body)
         , dofs(level.bodies[body]->triangulation())
       {
-        dofs.distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
+        dofs.distribute_dofs(
+          FESystem<dim>(level.bodies[body]->dof_handler().get_fe(), dim));
         data_out.attach_dof_handler(dofs);
       }
 

@@ -11,7 +11,8 @@ namespace StickSlip
   {
     CommandLine       command_line;
     const std::string set     = "--set";
-    bool              is_help = false, is_version = false, is_reference = false;
+    bool              is_help = false, is_version = false, is_reference = false,
+         is_check = false;
     for (unsigned int i = 0; i < arguments.size(); ++i)
       {
         const std::string &argument = arguments[i];
@@ -24,6 +25,8 @@ namespace StickSlip
           }
         else if (argument.rfind(set + "=", 0) == 0)
           command_line.overrides.push_back(argument.substr(set.size() + 1));
+        else if (argument == "--check")
+          is_check = true;
         else if (argument == "--help" || argument == "-h")
           is_help = true;
         else if (argument == "--version")
@@ -31,9 +34,10 @@ namespace StickSlip
         else if (argument == "--parameter-reference")
           is_reference = true;
         else if (argument.rfind("-", 0) == 0)
-          throw InputError("'" + argument +
-                           "': there is no such option; allowed are --set, "
-                           "--help, --version and --parameter-reference.");
+          throw InputError(
+            "'" + argument +
+            "': there is no such option; allowed are --set, "
+            "--check, --help, --version and --parameter-reference.");
         else if (!command_line.parameter_file.empty())
           throw InputError("'" + argument +
                            "': a parameter file is already "
@@ -52,6 +56,8 @@ namespace StickSlip
     else if (command_line.parameter_file.empty())
       throw InputError("No parameter file is given; the program is called as "
                        "'stickslip FILE.prm', see 'stickslip --help'.");
+    else if (is_check)
+      command_line.task = CommandLine::Task::check;
     return command_line;
   }
 
@@ -65,6 +71,10 @@ namespace StickSlip
            "Simulates the fault system that the parameter file describes.\n\n"
            "  --set PATH=VALUE        override an entry of the file; may be "
            "repeated\n"
+           "  --check                 print bodies, sides and faults, and "
+           "write pictures of\n"
+           "                          the meshes into the output directory, "
+           "in place of a run\n"
            "  --help                  print this text\n"
            "  --version               print the version\n"
            "  --parameter-reference   print all entries of parameter files, in "

@@ -207,6 +207,22 @@ namespace StickSlip
 
 
 
+    /** Tetrahedra can be refined as a whole only. */
+    void
+    check_refinement(const SceneParameters<3> &scene)
+    {
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        if (scene.mesh->bodies[b].cells[0].vertices.size() == 4 &&
+            scene.bodies[b].geometry.refinement_passes > 0)
+          throw InputError(
+            naming("Bodies/" + scene.bodies[b].name + "/Refinement passes",
+                   scene.bodies[b].geometry.refinement_passes) +
+            ": must be 0, since tetrahedra are refined all over only; those at "
+            "the faults must be small in the mesh file.");
+    }
+
+
+
     /** Check that there is a value at each point and time. */
     template <int dim>
     void
@@ -237,10 +253,11 @@ namespace StickSlip
     void
     check_materials(const SceneParameters<dim> &scene)
     {
-      for (const BodyParameters<dim> &body : scene.bodies)
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         {
-          const auto material = body.material.template function<dim>();
-          for (const Point<dim> &point : body_points(body.geometry))
+          const auto material =
+            scene.bodies[b].material.template function<dim>();
+          for (const Point<dim> &point : body_points(scene, b))
             material(point);
         }
     }
@@ -255,6 +272,12 @@ namespace StickSlip
         {
           const FaultParameters &fault  = scene.faults[i];
           const auto             points = fault_points(scene, i);
+          if (scene.mesh != nullptr &&
+              fault.normal_stress_source == NormalStressSource::lithostatic)
+            throw InputError(
+              naming(fault.section() + "/Normal stress", "lithostatic") +
+              ": cannot be used with 'Bodies/Mesh file', since bodies of any "
+              "shape have no thickness.");
           for (const FaultPart &part : fault.parts(points))
             part.friction->check(part.select(points), part.section);
           if (fault.normal_stress_source == NormalStressSource::function)
@@ -301,7 +324,7 @@ namespace StickSlip
                        const BoundaryCondition<dim> &condition)
     {
       const std::string path = "Boundary conditions/" + condition.body + " " +
-                               side_name<dim>(condition.side) + "/";
+                               condition.side_name + "/";
       for (const BoundaryCondition<dim> &other : scene.boundary_conditions)
         if (other.body == condition.body && other.side != condition.side)
           throw InputError("'Boundary conditions/Sides': lists two sides of "
@@ -347,11 +370,11 @@ namespace StickSlip
       for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
         {
           const std::string path = "Boundary conditions/" + condition.body +
-                                   " " + side_name<dim>(condition.side) + "/";
+                                   " " + condition.side_name + "/";
           const unsigned int normal_axis = condition.side / 2;
           if (normal_axis + 1 < dim && scene.periodic[normal_axis])
             throw InputError("'Boundary conditions/Sides': '" + condition.body +
-                             " " + side_name<dim>(condition.side) +
+                             " " + condition.side_name +
                              "' is no outer side, since '" +
                              periodic_entry(normal_axis) +
                              "' = 'true' joins it to the opposite one.");
@@ -361,7 +384,7 @@ namespace StickSlip
               const std::string &expression = condition.expression[component];
               const BoundaryType type       = condition.type[component];
 
-              if (condition.body == lowest.name &&
+              if ((scene.mesh != nullptr || condition.body == lowest.name) &&
                   (type == BoundaryType::fixed ||
                    type == BoundaryType::velocity))
                 held[component] = true;
@@ -386,8 +409,10 @@ namespace StickSlip
       for (unsigned int component = 0; component < dim; ++component)
         if (!held[component])
           throw InputError(
-            "'Boundary conditions/Sides': no side of the lowest body '" +
-            lowest.name + "' has '" + "xyz"[component] +
+            "'Boundary conditions/Sides': no side of " +
+            (scene.mesh != nullptr ? "any body" :
+                                     "the lowest body '" + lowest.name + "'") +
+            " has '" + "xyz"[component] +
             " condition' = 'fixed' or 'velocity', so the bodies could float "
             "away along " +
             "xyz"[component] + "; at least one must.");
@@ -402,7 +427,10 @@ namespace StickSlip
   {
     check_time(scene.time);
     check_output(scene.output, scene.time.inertia);
-    check_bodies(scene);
+    if (scene.mesh == nullptr)
+      check_bodies(scene);
+    else if constexpr (dim == 3)
+      check_refinement(scene);
     check_materials(scene);
     check_faults(scene);
     check_doubling(scene);

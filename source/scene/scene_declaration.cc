@@ -20,8 +20,23 @@ namespace StickSlip
       prm.declare_entry("Names",
                         join_names(names_of(scene.bodies)),
                         NameList(),
-                        "Names of the bodies from bottom to top. Each has a "
-                        "subsection of its name.");
+                        "Names of the bodies from bottom to top, or of those "
+                        "in the mesh files. Each has a subsection of its "
+                        "name.");
+      add_text(prm,
+               "Mesh file",
+               scene.mesh_entries.files,
+               "Names of mesh files of Gmsh, of versions 2.2 or 4.1, separated "
+               "by commas, next to the parameter file unless a path is given; "
+               "empty for bodies that are bricks in a stack. Physical groups "
+               "of volumes (in two dimensions, of surfaces) are the bodies of "
+               "the same names, those of surfaces (of lines) their sides and "
+               "the faults. Bodies are cut open along the faults.");
+      add_number(prm,
+                 "Length unit",
+                 scene.mesh_entries.length_unit,
+                 NumberRange().above(0),
+                 "Unit of length in the mesh files, in m.");
       add_number(prm,
                  "Base elevation",
                  scene.bodies.front().geometry.base,
@@ -30,6 +45,7 @@ namespace StickSlip
       for (BodyParameters<dim> &body : scene.bodies)
         {
           prm.enter_subsection(body.name);
+          body.geometry.section = "Bodies/" + body.name;
           body.geometry.add_parameters(prm);
           prm.enter_subsection("Material");
           body.material.section = "Bodies/" + body.name + "/Material";
@@ -52,11 +68,31 @@ namespace StickSlip
                         NameList(),
                         "Names of the faults from bottom to top, one between "
                         "each two neighbouring bodies; empty for a single "
-                        "body. Each has a subsection of its name.");
-      for (FaultParameters &fault : scene.faults)
+                        "body. With mesh files, any faults. Each has a "
+                        "subsection of its name.");
+      scene.mesh_entries.faults.resize(scene.faults.size());
+      for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
-          prm.enter_subsection(fault.name);
-          fault.add_parameters(prm, dim);
+          prm.enter_subsection(scene.faults[f].name);
+          scene.faults[f].add_parameters(prm, dim);
+          MeshEntries::OfFault &entries = scene.mesh_entries.faults[f];
+          add_text(prm,
+                   "Mesh group",
+                   entries.group,
+                   "The physical group of its faces in the mesh files; empty: "
+                   "that of the fault's name.");
+          add_text(prm,
+                   "Between",
+                   entries.between,
+                   "The bodies on both sides of the fault in mesh files, "
+                   "separated by a comma: slip is the motion of the second "
+                   "relative to the first, and the normal points to the "
+                   "second. Empty: the body listed first in 'Bodies/Names' is "
+                   "first; where a body is on both sides, the normal points "
+                   "upwards. Sides with nodes of their own, whose meshes need "
+                   "not match, are given as '<body> <side>', several of them "
+                   "joined by a plus sign: 'lower top, left bottom + right "
+                   "bottom'.");
           prm.leave_subsection();
         }
       prm.leave_subsection();
@@ -71,7 +107,7 @@ namespace StickSlip
     {
       std::vector<std::string> sides;
       for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
-        sides.push_back(condition.body + " " + side_name<dim>(condition.side));
+        sides.push_back(condition.body + " " + condition.side_name);
 
       prm.enter_subsection("Boundary conditions");
       prm.declare_entry("Sides",
@@ -79,8 +115,9 @@ namespace StickSlip
                         NameList(2),
                         "The sides that are not free, each as '<body> <side>', "
                         "where side is left, right, bottom or top and in three "
-                        "dimensions also front or back. Each has a subsection "
-                        "of this name.");
+                        "dimensions also front or back, or with mesh files a "
+                        "physical group. Each has a subsection of this "
+                        "name.");
       for (unsigned int axis = 0; axis + 1 < dim; ++axis)
         add_switch(prm,
                    std::string("Periodic along ") + "xy"[axis],
@@ -274,6 +311,8 @@ namespace StickSlip
   void
   complete_geometry(SceneParameters<dim> &scene)
   {
+    if (scene.mesh != nullptr)
+      return;
     for (unsigned int i = 1; i < scene.bodies.size(); ++i)
       scene.bodies[i].geometry.base = scene.bodies[i - 1].geometry.base +
                                       scene.bodies[i - 1].geometry.thickness;

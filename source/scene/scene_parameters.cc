@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace StickSlip
 {
@@ -24,11 +25,47 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<CoarseBody<dim>>
+  SceneParameters<dim>::coarse_bodies() const
+  {
+    std::vector<CoarseBody<dim>> result;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (mesh == nullptr)
+        result.push_back(coarse_brick(bodies[b].geometry));
+      else
+        {
+          result.emplace_back();
+          CoarseBody<dim>         &body     = result.back();
+          const BodyGeometry<dim> &geometry = bodies[b].geometry;
+          body.cells                        = mesh->bodies[b].triangulation();
+          body.side_names                   = mesh->bodies[b].side_names;
+          body.uniform_refinements          = geometry.uniform_refinements;
+          body.refinement_passes            = geometry.refinement_passes;
+          body.refine_where                 = geometry.where_to_refine();
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  SceneParameters<dim>::within_body(const unsigned int body,
+                                    const Point<dim>  &point) const
+  {
+    return mesh == nullptr ? bodies[body].geometry.within_sides(point) : point;
+  }
+
+
+
+  template <int dim>
   std::array<std::vector<BodySide>, 2>
   SceneParameters<dim>::below_and_above(const unsigned int fault) const
   {
     std::array<std::vector<BodySide>, 2> sides = topology.faults()[fault].sides;
-    const auto                           base  = [&](const auto &side) {
+    if (mesh != nullptr)
+      return sides;
+    const auto base = [&](const auto &side) {
       return bodies[side.front().body].geometry.base;
     };
     if (base(sides[1]) < base(sides[0]))
@@ -43,8 +80,16 @@ namespace StickSlip
   SceneParameters<dim>::nearest_body(const std::vector<BodySide> &side,
                                      const Point<dim>            &point) const
   {
+    if (side.size() == 1)
+      return side[0].body;
     const auto distance = [&](const BodySide &part) {
-      return bodies[part.body].geometry.within_sides(point).distance(point);
+      if (mesh == nullptr)
+        return bodies[part.body].geometry.within_sides(point).distance(point);
+      double least = std::numeric_limits<double>::max();
+      for (const Point<dim> &vertex :
+           mesh->bodies[part.body].vertices_on(part.side))
+        least = std::min(least, vertex.distance(point));
+      return least;
     };
     return std::min_element(side.begin(),
                             side.end(),

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/declared_entries.h>
@@ -13,7 +14,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace StickSlip
 {
@@ -97,6 +100,36 @@ namespace StickSlip
       if (find_declared(entries, copy) == entries.end())
         return {};
       return copy;
+    }
+
+
+
+    /** Refuse what says nothing of bodies from mesh files, or of bricks. A
+     * value that is the default may stand there. */
+    void
+    refuse_without_effect(const Assignment                 &assignment,
+                          const std::vector<DeclaredEntry> &entries,
+                          const bool                        has_mesh)
+    {
+      static const std::set<std::string> of_bricks = {"Base elevation",
+                                                      "Lower lateral corner",
+                                                      "Upper lateral corner",
+                                                      "Thickness",
+                                                      "Upper slope",
+                                                      "Rigid",
+                                                      "Coarse cells",
+                                                      "Periodic along x",
+                                                      "Periodic along y"};
+      static const std::set<std::string> of_meshes = {"Length unit",
+                                                      "Mesh group",
+                                                      "Between"};
+      const auto declared = find_declared(entries, assignment);
+      if ((has_mesh ? of_bricks : of_meshes).count(assignment.entry) > 0 &&
+          declared != entries.end() &&
+          declared->default_value != assignment.value)
+        throw InputError(naming(assignment) + ": has no effect, since " +
+                         (has_mesh ? "bodies are in mesh files." :
+                                     "there is no 'Bodies/Mesh file'."));
     }
 
 
@@ -224,21 +257,93 @@ namespace StickSlip
       throw InputError(context + "is on no body; the bodies are " +
                        find("Bodies/Names")->value + ".");
 
-    std::vector<std::string> sides;
-    for (unsigned int side = 0; side < 2 * dim; ++side)
-      sides.push_back(side_name<dim>(side));
+    const unsigned int number = body - scene.bodies.begin();
+    std::map<types::boundary_id, std::string> sides;
+    if (scene.mesh != nullptr)
+      sides = scene.mesh->bodies[number].side_names;
+    else
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        sides[side] = side_name<dim>(side);
+    condition.side_name = name.substr(space + 1);
     const auto side =
-      std::find(sides.begin(), sides.end(), name.substr(space + 1));
+      std::find_if(sides.begin(), sides.end(), [&](const auto &candidate) {
+        return candidate.second == condition.side_name;
+      });
     if (side == sides.end())
-      throw InputError(context + "is no side; the sides of a body are " +
-                       join_names(sides) + ".");
-    condition.side = side - sides.begin();
+      {
+        std::vector<std::string> names;
+        for (const auto &candidate : sides)
+          if (scene.mesh == nullptr ||
+              !scene.topology.is_at_fault(number, candidate.first))
+            names.push_back(candidate.second);
+        throw InputError(context + "is no side; the sides of " +
+                         (scene.mesh != nullptr ? "this" : "a") + " body are " +
+                         join_names(names) + ".");
+      }
+    condition.side = side->first;
 
-    if (scene.topology.is_at_fault(body - scene.bodies.begin(), condition.side))
+    if (scene.topology.is_at_fault(number, condition.side))
       throw InputError(context +
                        "is a fault; conditions are allowed on outer sides "
                        "only.");
     return condition;
+  }
+
+
+
+  std::string
+  SceneReader::value_of(const std::string &path) const
+  {
+    const Assignment *const assignment = find(path);
+    return assignment == nullptr ? "" : assignment->value;
+  }
+
+
+
+  template <int dim>
+  void
+  SceneReader::read_mesh(SceneParameters<dim> &scene) const
+  {
+    // Files are next to the parameter file, wherever the program runs.
+    const Assignment        &files = *find("Bodies/Mesh file");
+    std::vector<std::string> paths;
+    for (const std::string &name :
+         Utilities::split_string_list(files.value, ','))
+      paths.push_back(
+        std::filesystem::absolute(std::filesystem::path(files.folder) / name)
+          .lexically_normal()
+          .string());
+    MeshEntries &entries = scene.mesh_entries;
+    entries.files        = join_names(paths);
+
+    if (const Assignment *const unit = find("Bodies/Length unit"))
+      {
+        const NumberRange positive = NumberRange().above(0);
+        if (!positive.match(unit->value))
+          throw InputError(naming(*unit) + ": must be " +
+                           positive.description() + ".");
+        entries.length_unit = NumberRange::values(unit->value)[0];
+      }
+    for (const FaultParameters &fault : scene.faults)
+      {
+        entries.faults.push_back({value_of(fault.section() + "/Mesh group"),
+                                  value_of(fault.section() + "/Between")});
+        try
+          {
+            parse_between(entries.faults.back().between);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError("'" + fault.section() +
+                             "/Between': " + error.what());
+          }
+      }
+    // Files say where cells are small, unless the scene asks for more.
+    for (BodyParameters<dim> &body : scene.bodies)
+      body.geometry.refinement_passes = 0;
+    scene.mesh     = std::make_shared<const CutMesh<dim>>(read_meshes<dim>(
+      entries, names("Bodies/Names", 1), names("Faults/Names", 1)));
+    scene.topology = scene.mesh->topology;
   }
 
 
@@ -270,7 +375,9 @@ namespace StickSlip
             fault.regions.back().name = region;
           }
       }
-    if (scene.faults.size() + 1 != scene.bodies.size())
+    if (!value_of("Bodies/Mesh file").empty())
+      read_mesh(scene);
+    else if (scene.faults.size() + 1 != scene.bodies.size())
       {
         const Assignment *const assignment = find("Faults/Names");
         throw InputError(
@@ -281,8 +388,9 @@ namespace StickSlip
           std::to_string(scene.bodies.size()) + " of 'Bodies/Names'.");
       }
 
-    scene.topology =
-      stack_topology<dim>(names("Bodies/Names", 1), names("Faults/Names", 1));
+    if (scene.mesh == nullptr)
+      scene.topology =
+        stack_topology<dim>(names("Bodies/Names", 1), names("Faults/Names", 1));
 
     for (const std::string &name : names("Boundary conditions/Sides", 2))
       scene.boundary_conditions.push_back(named_side<dim>(name, scene));
@@ -297,7 +405,8 @@ namespace StickSlip
   {
     Assert(dim == dimension(), ExcDimensionMismatch(dim, dimension()));
 
-    SceneParameters<dim> scene = named_scene<dim>();
+    SceneParameters<dim> scene      = named_scene<dim>();
+    const std::string    mesh_files = scene.mesh_entries.files;
     {
       ParameterHandler prm;
       declare_scene(prm, scene);
@@ -308,7 +417,10 @@ namespace StickSlip
       };
       for (const Assignment &assignment : assignments)
         if (!is_of_region(assignment))
-          apply(prm, entries, assignment);
+          {
+            refuse_without_effect(assignment, entries, scene.mesh != nullptr);
+            apply(prm, entries, assignment);
+          }
       // Entries that a region does not set are as in its fault.
       for (const FaultParameters &fault : scene.faults)
         for (const FrictionRegion &region : fault.regions)
@@ -320,6 +432,7 @@ namespace StickSlip
         if (is_of_region(assignment))
           apply(prm, entries, assignment);
     }
+    scene.mesh_entries.files = mesh_files;
     complete_geometry(scene);
     if (scene.output.directory.empty())
       scene.output.directory = (std::filesystem::path("output") /

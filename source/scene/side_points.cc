@@ -50,6 +50,10 @@ namespace StickSlip
                    });
     Assert(body != scene.bodies.end(), ExcMessage("There is no such body."));
 
+    if (scene.mesh != nullptr)
+      return scene.mesh->bodies[body - scene.bodies.begin()].vertices_on(
+        condition.side);
+
     const unsigned int axis  = condition.side / 2;
     Point<dim>         lower = body->geometry.lower_corner();
     Point<dim>         upper = body->geometry.upper_corner();
@@ -67,9 +71,12 @@ namespace StickSlip
 
   template <int dim>
   std::vector<Point<dim>>
-  body_points(const BodyGeometry<dim> &body)
+  body_points(const SceneParameters<dim> &scene, const unsigned int number)
   {
-    std::vector<Point<dim>> points =
+    if (scene.mesh != nullptr)
+      return scene.mesh->bodies[number].vertices;
+    const BodyGeometry<dim> &body = scene.bodies[number].geometry;
+    std::vector<Point<dim>>  points =
       brick_points(body.lower_corner(), body.upper_corner(), dim);
     for (Point<dim> &point : points)
       point = body.sloped(point);
@@ -125,6 +132,14 @@ namespace StickSlip
   {
     const auto [below, above] = scene.below_and_above(fault);
     std::vector<Point<dim>> points;
+    if (scene.mesh != nullptr)
+      {
+        for (const BodySide &part : below)
+          for (const Point<dim> &point :
+               scene.mesh->bodies[part.body].vertices_on(part.side))
+            points.push_back(point);
+        return points;
+      }
     for (const BodySide &lower : below)
       for (const BodySide &upper : above)
         for (const Point<dim> &point :

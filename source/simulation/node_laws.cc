@@ -35,7 +35,7 @@ namespace StickSlip
             for (unsigned int k = 0; k < points.size(); ++k)
               if (scene.nearest_body(side, points[k]) == part.body)
                 damping[k] +=
-                  1. / material(body.geometry.within_sides(points[k]))
+                  1. / material(scene.within_body(part.body, points[k]))
                          .shear_impedance();
           }
       for (double &value : damping)

@@ -61,9 +61,7 @@ namespace StickSlip
     : scene(checked_scene(scene, communicator))
     , communicator(communicator)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-    , mesh_hierarchy(members_of(scene.bodies, &BodyParameters<dim>::geometry),
-                     scene.topology,
-                     communicator)
+    , mesh_hierarchy(scene.coarse_bodies(), scene.topology, communicator)
     , boundary_values(mesh_hierarchy,
                       scene.boundary_conditions,
                       names_of(scene.bodies))

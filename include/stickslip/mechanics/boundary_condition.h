@@ -50,7 +50,11 @@ namespace StickSlip
     /** Name of the body. */
     std::string body;
 
-    /** Boundary indicator of the side: 2 * axis + (0: lower, 1: upper). */
+    /** Name of the side. */
+    std::string side_name = "left";
+
+    /** Boundary indicator of the side; that of a brick is
+     * 2 * axis + (0: lower, 1: upper). */
     unsigned int side = 0;
 
     BoundaryAxes axes = BoundaryAxes::space;

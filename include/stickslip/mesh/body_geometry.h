@@ -7,7 +7,11 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
+#include <stickslip/parameters/spatial_field.h>
+
 #include <array>
+#include <functional>
+#include <string>
 
 namespace StickSlip
 {
@@ -54,6 +58,12 @@ namespace StickSlip
     /** Number of passes that refine the cells touching a fault. */
     unsigned int refinement_passes = 4;
 
+    /** The passes refine where this is greater than zero. */
+    SpatialField refine_where = 1.;
+
+    /** The subsection of the entries, for messages. */
+    std::string section = "Bodies";
+
     BodyGeometry();
 
     Point<dim>
@@ -84,6 +94,11 @@ namespace StickSlip
      * the body ends there. */
     Tensor<1, dim - 1>
     period() const;
+
+    /** The field above as a function; empty if the passes refine everywhere.
+     * Throws InputError, see SpatialField::function(). */
+    std::function<double(const Point<dim> &)>
+    where_to_refine() const;
 
     /** Declare the entries in the current subsection of @p prm. */
     void

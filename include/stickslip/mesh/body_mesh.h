@@ -8,8 +8,9 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mesh/coarse_body.h>
 #include <stickslip/mesh/fault_surface.h>
+#include <stickslip/mesh/red_refinement.h>
 
 #include <memory>
 #include <set>
@@ -27,6 +28,9 @@ namespace StickSlip
    * process has the whole mesh, with the same numbers of cells, vertices and
    * degrees of freedom. Owners are found for all bodies together, see
    * MeshHierarchy.
+   *
+   * Cells are trees of deal.II's, but for tetrahedra: these are refined as a
+   * whole, each time into a mesh of its own, see RedRefinement.
    */
   template <int dim>
   class BodyMesh
@@ -34,17 +38,29 @@ namespace StickSlip
   public:
     /**
      * The mesh of a body: coarse cells, refined all over, then passes that
-     * each refine every cell with a vertex on one of the @p sides_at_faults.
+     * each refine every cell with a vertex on one of the @p sides_at_faults,
+     * as far as CoarseBody::refine_where says. Throws InputError if these are
+     * tetrahedra.
      */
+    BodyMesh(const CoarseBody<dim>              &body,
+             const std::set<types::boundary_id> &sides_at_faults);
+
+    /** The mesh of a brick. */
     BodyMesh(const BodyGeometry<dim>            &geometry,
              const std::set<types::boundary_id> &sides_at_faults);
 
     /** The mesh in which every cell of @p finer that can be is coarsened. */
     explicit BodyMesh(const BodyMesh &finer);
 
-    /** True if any cell is the child of another. */
+    /** True if the mesh is finer than the coarse cells. */
     bool
     can_be_coarsened() const;
+
+    /** For each vertex the ends of the edge of the next coarser mesh in whose
+     * middle it is, or twice itself. Empty if cells are trees, or if there is
+     * no coarser mesh. */
+    const std::vector<std::array<unsigned int, 2>> &
+    vertex_parents() const;
 
     /** Boundary indicator of the lower and of the upper side. */
     static constexpr types::boundary_id lower_side = 2 * (dim - 1);
@@ -99,6 +115,10 @@ namespace StickSlip
     }
 
   private:
+    /** A mesh of the coarse cells that can be refined. */
+    std::shared_ptr<Triangulation<dim>>
+    copy_coarse_cells() const;
+
     void
     join_periodic_sides(Triangulation<dim> &triangulation) const;
 
@@ -118,7 +138,11 @@ namespace StickSlip
 
     /** The mesh before any refinement. */
     std::shared_ptr<const Triangulation<dim>> coarse_cells;
-    std::unique_ptr<Triangulation<dim>>       mesh;
+
+    /** Meshes of tetrahedra, the last of which is the one of the body. */
+    std::vector<std::shared_ptr<const RedRefinement>> red_refinements;
+
+    std::shared_ptr<const Triangulation<dim>> mesh;
     std::unique_ptr<DoFHandler<dim>>          dofs;
     AffineConstraints<double>                 constraints;
   };

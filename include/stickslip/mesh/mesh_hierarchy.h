@@ -29,6 +29,12 @@ namespace StickSlip
      * @p min_nodes_per_process in it. Throws InputError if a fault is not level
      * or its sides have no faces.
      */
+    MeshHierarchy(const std::vector<CoarseBody<dim>> &bodies,
+                  const FaultTopology                &topology,
+                  const MPI_Comm                     &communicator,
+                  const unsigned int min_nodes_per_process = 500);
+
+    /** Bodies that are bricks. */
     MeshHierarchy(const std::vector<BodyGeometry<dim>> &bodies,
                   const FaultTopology                  &topology,
                   const MPI_Comm                       &communicator,

@@ -17,6 +17,7 @@ namespace StickSlip
     enum class Task
     {
       run,
+      check,
       print_help,
       print_version,
       print_parameter_reference

@@ -9,14 +9,16 @@
 #include <stickslip/friction/fault_parameters.h>
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mechanics/material_fields.h>
-#include <stickslip/mesh/body_geometry.h>
+#include <stickslip/mesh/coarse_body.h>
 #include <stickslip/mesh/fault_topology.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
+#include <stickslip/scene/mesh_entries.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/tnnmg/solver_parameters.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,11 @@ namespace StickSlip
     /** The bodies and faults above, in the same order. */
     FaultTopology topology;
 
+    /** Mesh files, and what they contain; nothing where bodies are bricks in a
+     * stack. */
+    MeshEntries                         mesh_entries;
+    std::shared_ptr<const CutMesh<dim>> mesh;
+
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
     /** True for horizontal axes along which all bodies are periodic. */
@@ -74,8 +81,17 @@ namespace StickSlip
     Tensor<1, dim>
     gravity_vector() const;
 
+    /** The cells of all bodies before any refinement. */
+    std::vector<CoarseBody<dim>>
+    coarse_bodies() const;
+
+    /** The point of a brick next to a point; in a body of a mesh file the point
+     * itself, which must be in it. */
+    Point<dim>
+    within_body(const unsigned int body, const Point<dim> &point) const;
+
     /** The sides of a fault along the last axis: that of the bodies below, then
-     * that of the bodies above. */
+     * that of the bodies above. With mesh files, its first and second side. */
     std::array<std::vector<BodySide>, 2>
     below_and_above(const unsigned int fault) const;
 

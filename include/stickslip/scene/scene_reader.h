@@ -54,6 +54,16 @@ namespace StickSlip
     SceneParameters<dim>
     named_scene() const;
 
+    /** Read the mesh files of a scene whose bodies and faults are named. */
+    template <int dim>
+    void
+    read_mesh(SceneParameters<dim> &scene) const;
+
+    /** The value of an entry that is read before all are declared; empty if
+     * it is not set. */
+    std::string
+    value_of(const std::string &path) const;
+
     template <int dim>
     BoundaryCondition<dim>
     named_side(const std::string          &name,

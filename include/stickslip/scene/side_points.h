@@ -11,7 +11,8 @@
 namespace StickSlip
 {
   /**
-   * The corners and the centre of the side a condition holds on, m.
+   * The corners and the centre of the side a condition holds on, m; with mesh
+   * files its vertices.
    */
   template <int dim>
   std::vector<Point<dim>>
@@ -19,16 +20,16 @@ namespace StickSlip
               const BoundaryCondition<dim> &condition);
 
   /**
-   * The corners and the centre of a body, m.
+   * The corners and the centre of a body, m; with mesh files its vertices.
    */
   template <int dim>
   std::vector<Point<dim>>
-  body_points(const BodyGeometry<dim> &body);
+  body_points(const SceneParameters<dim> &scene, const unsigned int body);
 
   /**
    * The corners and the centre of a fault, as far as its two sides lie opposite
    * to each other, and a grid of 21 points along each axis, m; of each pair of
-   * bodies on the two sides.
+   * bodies on the two sides. With mesh files, the vertices of its first side.
    */
   template <int dim>
   std::vector<Point<dim>>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mesh_face_area_h
+#define stickslip_mesh_face_area_h
+
+#include <deal.II/base/tensor.h>
+
+#include <stickslip/mesh/cell_faces.h>
+
+namespace StickSlip
+{
+  /** The mean of the vertices of a face, m. */
+  template <int dim>
+  Point<dim>
+  face_centre(const GroupedCells<dim>             &mesh,
+              const typename CellFaces<dim>::Face &face);
+
+  /** The area of a face, m^(dim-1), times the normal around which its ring of
+   * vertices turns; in two dimensions that to the right of the line. */
+  template <int dim>
+  Tensor<1, dim>
+  face_area(const GroupedCells<dim>             &mesh,
+            const typename CellFaces<dim>::Face &face);
+} // namespace StickSlip
+
+#endif

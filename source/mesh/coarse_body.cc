@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <stickslip/mesh/coarse_body.h>
+
+namespace StickSlip
+{
+  template <int dim>
+  CoarseBody<dim>
+  coarse_brick(const BodyGeometry<dim> &geometry)
+  {
+    const auto cells = std::make_shared<Triangulation<dim>>();
+    GridGenerator::subdivided_hyper_rectangle(
+      *cells,
+      geometry.rigid ? std::vector<unsigned int>(dim, 1) :
+                       std::vector<unsigned int>(geometry.coarse_cells.begin(),
+                                                 geometry.coarse_cells.end()),
+      geometry.lower_corner(),
+      geometry.upper_corner(),
+      /*colorize=*/true);
+    if (geometry.is_sloped())
+      GridTools::transform(
+        [&geometry](const Point<dim> &point) { return geometry.sloped(point); },
+        *cells);
+
+    CoarseBody<dim> body;
+    body.cells               = cells;
+    body.uniform_refinements = geometry.uniform_refinements;
+    body.refinement_passes   = geometry.refinement_passes;
+    body.refine_where        = geometry.where_to_refine();
+    body.rigid               = geometry.rigid;
+    body.period              = geometry.period();
+    body.lateral_lower       = geometry.lateral_lower;
+
+    const std::array<const char *, 3> lower = {{"left", "front", "bottom"}};
+    const std::array<const char *, 3> upper = {{"right", "back", "top"}};
+    for (unsigned int axis = 0; axis < dim; ++axis)
+      {
+        const unsigned int name       = axis + 1 == dim ? 2 : axis;
+        body.side_names[2 * axis]     = lower[name];
+        body.side_names[2 * axis + 1] = upper[name];
+      }
+    return body;
+  }
+
+
+
+  template struct CoarseBody<2>;
+  template struct CoarseBody<3>;
+  template CoarseBody<2>
+  coarse_brick(const BodyGeometry<2> &);
+  template CoarseBody<3>
+  coarse_brick(const BodyGeometry<3> &);
+} // namespace StickSlip
