@@ -35,6 +35,18 @@ namespace StickSlip
 
 
 
+  bool
+  LocalFrames::operator==(const LocalFrames &other) const
+  {
+    if (frames == other.frames)
+      return true;
+    return frames != nullptr && other.frames != nullptr &&
+           frames->nodes == other.frames->nodes &&
+           frames->matrices == other.frames->matrices;
+  }
+
+
+
   unsigned int
   LocalFrames::n_components() const
   {

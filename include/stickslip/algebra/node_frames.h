@@ -54,6 +54,10 @@ namespace StickSlip
     const std::vector<unsigned int> &
     nodes() const;
 
+    /** Return whether the nodes and their axes are the same. */
+    bool
+    operator==(const LocalFrames &other) const;
+
     /** Number of components a node; 0 where empty. */
     unsigned int
     n_components() const;
