@@ -80,12 +80,12 @@ TEST(Topology, BrokenOnesAreAnsweredWithOneSentence)
   expect_one_sentence_with(message_of_meshes(
                              {"main", {{{{0, top}}, {{1, 7}}}}}),
                            {"'main'", "no faces"});
-  // Vertical sides, and level ones that are not opposite to each other.
+  // Sides far from each other, and such that face the same way.
   expect_one_sentence_with(message_of_meshes({"main", {{{{0, 1}}, {{1, 0}}}}}),
-                           {"'main'", "not level"});
+                           {"'main'", "do not face"});
   expect_one_sentence_with(message_of_meshes(
                              {"main", {{{{0, bottom}}, {{1, bottom}}}}}),
-                           {"'main'", "not level"});
+                           {"'main'", "do not face"});
 }
 
 

@@ -63,27 +63,23 @@ namespace StickSlip
 
 
 
-    /** Components of jumps are those along the axes of space, of which the last
-     * one must be normal to all faults. */
+    /** Sides that are plane must lie in one plane and face each other. */
     template <int dim>
     void
-    check_level(const MeshLevel<dim> &level, const FaultTopology &topology)
+    check_plane_sides(const MeshLevel<dim> &level,
+                      const FaultTopology  &topology)
     {
       for (unsigned int f = 0; f < topology.faults().size(); ++f)
         {
-          const FaultSurface<dim> &first     = level.surface(f, 0);
-          const double             precision = 1e-8 * first.face_size(0);
-          for (const unsigned int side : {0, 1})
-            for (const Point<dim> &point : level.surface(f, side).points)
-              if (std::abs(point[dim - 1] - first.points[0][dim - 1]) >
-                    precision ||
-                  level.surface(f, side).normal * first.normal *
-                      (side == 0 ? 1. : -1.) <
-                    0.99)
-                throw InputError("The fault '" + topology.faults()[f].name +
-                                 "' is not level: its two sides must face "
-                                 "each other in one plane across the last "
-                                 "axis.");
+          const FaultSurface<dim> &first  = level.surface(f, 0);
+          const FaultSurface<dim> &second = level.surface(f, 1);
+          if (first.is_plane() && second.is_plane() &&
+              (first.normal * second.normal > -0.99 ||
+               std::abs((second.points[0] - first.points[0]) * first.normal) >
+                 1e-6 * first.face_size(0)))
+            throw InputError("The two sides of the fault '" +
+                             topology.faults()[f].name +
+                             "' do not face each other in one plane.");
         }
     }
 
@@ -198,7 +194,7 @@ namespace StickSlip
                                          n_processes));
         levels.emplace_back(meshes[l], topology, owners, communicator);
         if (l == 0)
-          check_level(levels.front(), topology);
+          check_plane_sides(levels.front(), topology);
       }
 
     // Rows of the prolongations that are needed: for the nodes of a level that

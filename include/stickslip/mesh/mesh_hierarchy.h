@@ -26,8 +26,8 @@ namespace StickSlip
     /**
      * The bodies in the order of the @p topology. A level but the finest is
      * shared by no more processes than there are multiples of
-     * @p min_nodes_per_process in it. Throws InputError if a fault is not level
-     * or its sides have no faces.
+     * @p min_nodes_per_process in it. Throws InputError if a side of a fault
+     * has no faces, or if both are plane and not opposite to each other.
      */
     MeshHierarchy(const std::vector<CoarseBody<dim>> &bodies,
                   const FaultTopology                &topology,
