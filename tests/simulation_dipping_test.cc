@@ -96,7 +96,7 @@ subsection Faults
   set Names = fault
   subsection fault
     set Between                = lower lower_fault, upper upper_fault
-    set Characteristic slip    = 1e-5
+    set Characteristic slip    = 4e-6
     set Normal stress          = function
     set Normal stress function = 2e4
   end
@@ -113,7 +113,7 @@ subsection Boundary conditions
   end
 end
 subsection Time
-  set End time             = 14
+  set End time             = 5
   set Rate-state tolerance = 1e-9
 end
 subsection TNNMG
