@@ -57,7 +57,7 @@ namespace StickSlip
     {
       Tensor<1, dim> result;
       for (unsigned int d = 0; d < dim; ++d)
-        result[d] = vector.local_element(node * dim + d);
+        result[d] = vector.begin()[node * dim + d];
       return result;
     }
 
@@ -70,7 +70,7 @@ namespace StickSlip
               NodalVector          &vector)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        vector.local_element(node * dim + d) += value[d];
+        vector.begin()[node * dim + d] += value[d];
     }
   } // namespace
 

@@ -28,7 +28,7 @@ namespace StickSlip
            ++position)
         for (unsigned int d = 0; d < dim; ++d)
           sum += A.block(position)[component * dim + d] *
-                 x.local_element(sparsity.column[position] * dim + d);
+                 x.begin()[sparsity.column[position] * dim + d];
       return sum;
     }
   } // namespace
