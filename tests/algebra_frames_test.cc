@@ -20,7 +20,7 @@ namespace
 
 
 
-  /** Which nodes of a problem have axes of their own. */
+  /** Nodes of a problem that have axes of their own. */
   enum class Turned
   {
     fine,

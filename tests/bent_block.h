@@ -86,7 +86,7 @@ namespace StickSlip::Tests
       return result;
     }
 
-    /** These axes for the nodes of the lower side on all levels. */
+    /** Axes of the nodes of the lower side on all levels. */
     std::vector<NodeFrames<dim>>
     frames_of_lower_side() const
     {

@@ -19,7 +19,7 @@ namespace
 
 
 
-  /** What is wrong, and what the message must name. */
+  /** Broken meshes, and words that the message must contain. */
   struct Broken
   {
     std::string              what;

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "mesh_text.h"
+#include "mesh_volume.h"
 #include "project_directories.h"
 
 using namespace StickSlip;
@@ -57,21 +58,9 @@ namespace
 
 
 
-  template <int dim>
-  double
-  volume(const Triangulation<dim> &mesh)
-  {
-    double result = 0.;
-    for (const auto &cell : mesh.active_cell_iterators())
-      result += cell->measure();
-    return result;
-  }
-
-
-
-  /** What is true of all meshes that have been cut: bodies have the volumes,
-   * all of their boundary is named, and sides of faults are opposite. Returns
-   * the normal of each fault times its area. */
+  /** Properties of all meshes that have been cut: bodies have the volumes, all
+   * of their boundary is named, and sides of faults are opposite. Returns the
+   * normal of each fault times its area. */
   template <int dim>
   std::vector<Tensor<1, dim>>
   check_cut(const CutMesh<dim> &cut, const std::vector<double> &volumes)
@@ -338,7 +327,7 @@ TEST(FaultCutting, FaultThatEndsAtAnother)
   EXPECT_TRUE(cut.tips.empty());
   ASSERT_EQ(cut.junctions.size(), 1u);
   EXPECT_EQ(cut.junctions[0].n_parts, 3u);
-  EXPECT_EQ(cut.junctions[0].faults, std::set<unsigned int>({0, 1}));
+  EXPECT_EQ(cut.junctions[0].faults, (std::set<unsigned int>{0, 1}));
   EXPECT_LT(cut.junctions[0].position.distance(Point<2>(0., 0.1)), 1e-14);
   EXPECT_EQ(bodies_at(cut.topology, 0, 0), Names({"base"}));
   EXPECT_EQ(bodies_at(cut.topology, 0, 1), Names({"west", "east"}));

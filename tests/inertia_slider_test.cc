@@ -46,7 +46,7 @@ namespace
 
 
 
-  /** That slider without space. */
+  /** The same slider without space. */
   RadiatingSlider
   slider(const EndlessLayers &layers, const bool radiates)
   {

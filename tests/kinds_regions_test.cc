@@ -161,7 +161,7 @@ TEST(Regions, ThatCannotBeUsedAreSaidInOneSentence)
                            }),
                            {"'Time/Step size control' = 'step doubling'",
                             "rate and state"});
-  // What no node uses does not matter.
+  // Entries that no node uses do not matter.
   EXPECT_EQ(message_of([]() {
               read_scene(two_bodies,
                          {"Faults/main/Friction=welded",

@@ -118,7 +118,8 @@ namespace StickSlip
 
 
 
-  /** That side with nodes and faces renumbered and half of the faces reversed.
+  /** The same side with nodes and faces renumbered and half of the faces
+   * reversed.
    */
   template <int dim>
   Side<dim>

@@ -79,7 +79,7 @@ namespace StickSlip::Tests
 
 
 
-  /** That difference for vectors. */
+  /** The same difference for vectors. */
   inline double
   difference(const NodalVector                          &shared,
              const NodePartition                        &nodes,

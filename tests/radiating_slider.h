@@ -107,7 +107,7 @@ namespace StickSlip::Tests
       return 0.;
     }
 
-    /** That balances the forces at slip d and state y. */
+    /** Slip rate that balances the forces at slip d and state y. */
     double
     slip_rate_for(const double d, const double y, const double t) const
     {

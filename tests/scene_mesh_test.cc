@@ -63,17 +63,10 @@ subsection Bodies
 end
 )";
 
-  const std::string layers = R"(
+  const std::string layers = bricks + R"(
 subsection Bodies
-  set Names = lower, upper
   set Mesh file = layers.msh
   set Length unit = 0.001
-  subsection lower
-    set Refinement passes = 2
-  end
-  subsection upper
-    set Refinement passes = 2
-  end
 end
 )";
 

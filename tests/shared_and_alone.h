@@ -8,7 +8,7 @@
 
 namespace StickSlip::Tests
 {
-  /** How far a fault may be from the same one in another run. */
+  /** Bounds of the differences of a fault in two runs. */
   struct FaultTolerance
   {
     double slip      = 1e-6;

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "error_message.h"
+#include "mesh_volume.h"
 #include "project_directories.h"
 #include "serial_matrices.h"
 #include "simplex_bodies.h"
@@ -40,18 +41,6 @@ namespace
     for (const auto &cell : mesh.active_cell_iterators())
       least = std::min(least, quality(cell));
     return least;
-  }
-
-
-
-  template <int dim>
-  double
-  volume(const Triangulation<dim> &mesh)
-  {
-    double result = 0.;
-    for (const auto &cell : mesh.active_cell_iterators())
-      result += cell->measure();
-    return result;
   }
 
 

@@ -207,7 +207,7 @@ TEST(Symmetry, BothFaultsOfThreeBodiesShareTheLoading)
       EXPECT_GT(statistics.mean_shear_traction, 0.);
       slip += statistics.mean_slip;
     }
-  // What the bodies' own shear leaves of the motion of the top side.
+  // Motion of the top side that is not shear of the bodies.
   EXPECT_LT(slip, 1e-3);
   EXPECT_GT(slip, 0.8e-3);
 }

@@ -132,7 +132,7 @@ namespace
       return laid_down(laid_down(laid_down(vector)));
     }
 
-    /** Where a point is in the stack, in whole micrometres. */
+    /** Position of a point in the stack, in whole micrometres. */
     static std::vector<long>
     place(const Point<dim> &point, const bool is_laid_down)
     {

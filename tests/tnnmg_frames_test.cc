@@ -11,6 +11,7 @@
 
 #include "bent_block.h"
 #include "coulomb_functional.h"
+#include "linear_iterations.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -31,33 +32,6 @@ namespace
       value = normal(engine);
     active.apply(x);
     return x;
-  }
-
-
-
-  /** CG steps with one V-cycle each that reduce the residual by 1e-8. */
-  template <int dim>
-  unsigned int
-  cg_iterations(LevelHierarchy<dim> &hierarchy, NodalVector r)
-  {
-    NodalVector  z = r, p = r, Ap = r;
-    const double target = 1e-8 * r.l2_norm();
-    double       rz     = 0;
-    for (unsigned int k = 0; k < 200; ++k)
-      {
-        if (r.l2_norm() <= target)
-          return k;
-        hierarchy.v_cycle(z, r);
-        const double rz_new = r * z;
-        if (k == 0)
-          p = z;
-        else
-          p.sadd(rz_new / rz, 1., z);
-        rz = rz_new;
-        hierarchy.vmult_linearised(Ap, p);
-        r.add(-rz / (p * Ap), Ap);
-      }
-    return 200;
   }
 
 

@@ -159,7 +159,7 @@ namespace
         if (start == 1)
           w = zero, randomise<dim>(w, fixed, 1e-3);
         if (start == 2)
-          // What is known of the solution by now, 1e10 times too fast.
+          // The present solution, 1e10 times too fast.
           scale<dim>(w, fixed, 1e10);
         if (start == 3)
           w = zero, randomise<dim>(w, fixed, 1e6);

@@ -157,7 +157,7 @@ namespace
     };
 
     system.sweep(x, b, true);
-    // What it held before must not matter.
+    // Values from before must not matter.
     ours_x = Number(7.);
     smoother.sweep_from_zero(ours_x, ours_b);
     expect_equal(ours_x, x);

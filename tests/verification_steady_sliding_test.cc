@@ -339,7 +339,7 @@ namespace
           SteadySliding other     = theory;
           other.with_inertia      = true;
           other.radiation_damping = 0.;
-          // It matters which of the models it is.
+          // The models differ here.
           EXPECT_GT(std::abs(other.growth_rate() / expected - 1.), 0.04);
           const Complex found =
             simulated_growth_rate(theory, law, 4, 120, inertia);

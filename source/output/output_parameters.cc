@@ -96,8 +96,8 @@ namespace StickSlip
       "What the VTU files hold: displacement (m), velocity (m/s), "
       "acceleration (m/s^2, where there is inertia); of each cell's centre "
       "stress (elastic part, Pa, tension positive), strain (without unit), "
-      "the number of the body from below, and the material, as far as it "
-      "varies in any body.");
+      "the place of the body in Bodies/Names, from zero, and the material, as "
+      "far as it varies in any body.");
     add_cadence(prm,
                 "Volume",
                 volume_cadence,

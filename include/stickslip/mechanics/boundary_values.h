@@ -109,7 +109,7 @@ namespace StickSlip
       std::vector<std::pair<unsigned int, unsigned int>> values;
     };
 
-    /** These nodes on a level, by global number. */
+    /** The nodes on a level, by global number. */
     std::map<types::global_dof_index, TurnedNode>
     find_turned_nodes(const unsigned int l) const;
 

@@ -49,7 +49,7 @@ namespace StickSlip
              const BlockSparsity                  &sparsity);
 
   /**
-   * These rows where there is a @p finer level: also the rows that see a row
+   * The rows of the strip below a @p finer level: also the rows that see a row
    * of @p finer_strip.
    */
   template <int n_components>

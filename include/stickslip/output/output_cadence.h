@@ -27,7 +27,7 @@ namespace StickSlip
   };
 
   /**
-   * How often something is written.
+   * Cadence of output.
    */
   struct CadenceParameters
   {

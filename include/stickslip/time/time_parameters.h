@@ -13,7 +13,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * How the size of a time step is chosen.
+   * Control of the step size.
    */
   enum class StepSizeControl
   {
@@ -39,7 +39,7 @@ namespace StickSlip
   };
 
   /**
-   * How the rate and the state problem of one step are iterated.
+   * Iteration between the rate and the state problem of a step.
    */
   enum class RateStateMethod
   {
@@ -51,7 +51,7 @@ namespace StickSlip
   };
 
   /**
-   * How the rate problem is solved.
+   * Solver of the rate problem.
    */
   enum class RateSolver
   {

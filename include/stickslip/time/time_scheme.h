@@ -13,7 +13,7 @@
 namespace StickSlip
 {
   /**
-   * How a step of size tau advances displacement u and velocity v of
+   * Formulas for a step of size tau of the displacement u and velocity v of
    *
    *   M v' + C v + K u + friction(v) = f
    *
