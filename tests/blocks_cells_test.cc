@@ -151,6 +151,9 @@ subsection Boundary conditions
     set y condition = fixed
   end
 end
+subsection Output
+  set Event start slip rate = 1e-3
+end
 )";
 
 

@@ -160,7 +160,7 @@ TEST(CoarserLevels, IterationsAreThoseOfAFactorisation)
 {
   expect_iterations(
     SineBodies<2>(0.06, {48, 25, 13, 7}, Cells::quadrilaterals, 2), 15);
-  expect_iterations(SineBodies<2>(0.06, {48, 25, 13}, Cells::triangles, 2), 15);
+  expect_iterations(SineBodies<2>(0.06, {48, 25, 13}, Cells::triangles, 1), 18);
   expect_iterations(SineBodies<3>(0.06, {12, 7, 4}, Cells::quadrilaterals, 1),
                     16);
 }

@@ -10,6 +10,7 @@ The first indented block below each heading is completed by a boundary condition
 doc/images/geometry_*.png. Takes some seconds.
 """
 
+import itertools
 import pathlib
 import re
 import shutil
@@ -24,6 +25,7 @@ from common import figures, programs
 
 PAGE = programs.PROJECT / "doc/geometry.md"
 MESHES = ("tests/meshes", "parameters/meshes")
+OUTER_SIDES = ("bottom", "far", "outside")
 BODY_COLOURS = ("#d9e6f2", "#f2e3cc", "#dcefe2", "#efdde8")
 FAULT_COLOURS = (figures.VERMILION, figures.BLUE, figures.GREEN, figures.PURPLE)
 # Vertices of a cell of VTK's types in an order that goes round its faces.
@@ -53,8 +55,8 @@ class Body:
             place += flat[place] + 1
         at = words.index("CELL_TYPES")
         self.types = np.array(words[at + 2:at + 2 + n], int)
-        at = words.index("MaterialID")
-        self.sides = np.array(words[at + 4:at + 4 + n], int)
+        at = words.index("default", words.index("MaterialID"))
+        self.sides = np.array(words[at + 1:at + 1 + n], int)
 
     @staticmethod
     def numbers(words, name, per_item, kind):
@@ -70,15 +72,14 @@ class Body:
         ]
 
 
-def with_condition(block, report):
-    """The block with a condition on the first side that the report names."""
-    body, side = re.search(r"^  (\S+): .*\n    side (\S+) \(", report, re.M).groups()
+def with_condition(block, body, side):
+    """The block with a side that is fixed, so that it is a scene."""
     axes = "xyz" if "Dimension = 3" in block else "xy"
     return block + (
         f"subsection Boundary conditions\n  set Sides = {body} {side}\n"
         f"  subsection {body} {side}\n"
         + "".join(f"    set {axis} condition = fixed\n" for axis in axes)
-        + "  end\nend\n")
+        + "  end\nend\nsubsection Output\n  set Event start slip rate = 1\nend\n")
 
 
 def check(program, block, folder):
@@ -88,10 +89,9 @@ def check(program, block, folder):
             shutil.copy(mesh, folder)
     scene = pathlib.Path(folder) / "scene.prm"
     names = re.search(r"subsection Bodies\s+set Names\s*= (.*)", block)[1].split(", ")
-    # Side names of bodies of files are known to the file alone.
-    sides = ["bottom", "far", "outside"]
-    for body, side in ((body, side) for body in names for side in sides):
-        scene.write_text(with_condition(block, f"  {body}: \n    side {side} (1)"))
+    # Names of the sides in a file are known to that alone.
+    for body, side in itertools.product(names, OUTER_SIDES):
+        scene.write_text(with_condition(block, body, side))
         run = subprocess.run(
             [program, "--check", scene, "--set", f"Output/Output directory={folder}"],
             capture_output=True, text=True)
