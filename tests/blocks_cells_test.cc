@@ -202,8 +202,11 @@ TEST(BlockCells, AreExtrudedAlongY)
       << name;
   for (const auto &side : mesh.bodies[0].side_names)
     if (side.second == "front" || side.second == "back")
-      for (const Point<3> &vertex : mesh.bodies[0].vertices_on(side.first))
-        EXPECT_EQ(vertex[1], side.second == "front" ? -1. : 2.);
+      {
+        const double y = side.second == "front" ? -1. : 2.;
+        for (const Point<3> &vertex : mesh.bodies[0].vertices_on(side.first))
+          EXPECT_EQ(vertex[1], y);
+      }
 }
 
 

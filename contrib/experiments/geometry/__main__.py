@@ -64,11 +64,11 @@ class Body:
         return np.array(words[at + 3:at + 3 + per_item * int(words[at + 1])], kind)
 
     def shapes(self, types, sides=None):
-        """Corners of the cells of some types, or of the faces on some sides."""
+        """Corners of the cells of some types, or of those faces on some sides."""
         return [
             self.points[cell] for cell, kind, side
             in zip(self.cells, self.types, self.sides)
-            if kind in types and (side == 0 if sides is None else side in sides)
+            if kind in types and (sides is None or side in sides)
         ]
 
 
@@ -115,7 +115,9 @@ def fault_sides(report):
 
 
 def draw_plane(bodies, faults):
-    figure, axes = figures.new_figure(1, height=3.6)
+    points = np.concatenate([body.points for body in bodies.values()])
+    shape = np.ptp(points[:, 1]) / np.ptp(points[:, 0])
+    figure, axes = figures.new_figure(1, height=min(0.9 + 6.5 * shape, 3.6))
     for colour, (name, body) in zip(BODY_COLOURS, bodies.items()):
         cells = [corners[:, :2] for corners in body.shapes((TRIANGLE, QUADRILATERAL))]
         axes.add_collection(PolyCollection(
@@ -126,7 +128,6 @@ def draw_plane(bodies, faults):
             lines = [line[:, :2] for line in bodies[body].shapes((LINE,), (side,))]
             axes.add_collection(LineCollection(lines, colors=colour, linewidths=2.2))
         axes.plot([], [], color=colour, linewidth=2.2, label=f"fault {name}")
-    points = np.concatenate([body.points for body in bodies.values()])
     unit = 1e3 if np.ptp(points[:, 0]) > 2e4 else 1
     axes.xaxis.set_major_formatter(lambda x, _: f"{x / unit:g}")
     axes.yaxis.set_major_formatter(lambda y, _: f"{y / unit:g}")
