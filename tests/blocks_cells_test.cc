@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "error_message.h"
+#include "mesh_volume.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -68,19 +69,6 @@ namespace
     add(c[2], reversed(block.polylines[3]));
     add(c[3], reversed(block.polylines[0]));
     return result;
-  }
-
-
-
-  template <int dim>
-  double
-  volume(const CutMesh<dim> &mesh, const unsigned int body)
-  {
-    double     sum   = 0.;
-    const auto cells = mesh.bodies[body].triangulation();
-    for (const auto &cell : cells->active_cell_iterators())
-      sum += cell->measure();
-    return sum;
   }
 
 
@@ -175,7 +163,9 @@ TEST(BlockCells, FillTheOutline)
   const std::vector<Block<2>> blocks = two_blocks();
   const CutMesh<2>            mesh   = cut(blocks);
   for (const unsigned int b : {0, 1})
-    EXPECT_NEAR(volume(mesh, b), 0.5 * twice_area(outline(blocks[b])), 1e-13);
+    EXPECT_NEAR(volume(*mesh.bodies[b].triangulation()),
+                0.5 * twice_area(outline(blocks[b])),
+                1e-13);
   EXPECT_EQ(mesh.bodies[0].cells.size(), 14u);
   EXPECT_EQ(mesh.bodies[1].cells.size(), 30u);
 }
@@ -187,7 +177,7 @@ TEST(BlockCells, AreExtrudedAlongY)
   const CutMesh<3> mesh =
     cut_at_faults(cells_of_blocks(std::vector<Block<3>>{arched_block<3>()}),
                   {});
-  EXPECT_NEAR(volume(mesh, 0),
+  EXPECT_NEAR(volume(*mesh.bodies[0].triangulation()),
               3. * 0.5 * twice_area(outline(arched_block<2>())),
               1e-12);
   const std::array<const char *, 6> names = {
@@ -299,7 +289,7 @@ TEST(BlockCells, RefuseSidesThatDoNotTouch)
   EXPECT_EQ(message_of_blocks([](Blocks &) {}), "no error");
   expect_one_sentence_with(message_of_blocks(
                              [&](Blocks &b) { move(b, 0., 0.3); }),
-                           {"'fault'", "0.3", "m apart at"});
+                           {"'fault'", "0.278543 m apart at (-1.85, 0.06)"});
   expect_one_sentence_with(message_of_blocks(
                              [&](Blocks &b) { move(b, 0., 9.); }),
                            {"'lower top'", "'fault'", "does not touch"});

@@ -7,7 +7,6 @@
 #include <stickslip/mesh/fault_cutting.h>
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
