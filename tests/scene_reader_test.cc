@@ -277,9 +277,9 @@ TEST(NumberRange, KnowsBoundsThatAreExcluded)
 
 TEST(SideName, FollowsTheBoundaryIndicators)
 {
-  EXPECT_EQ(side_name<2>(0), "left");
-  EXPECT_EQ(side_name<2>(3), "top");
-  EXPECT_EQ(side_name<3>(1), "right");
-  EXPECT_EQ(side_name<3>(2), "front");
-  EXPECT_EQ(side_name<3>(4), "bottom");
+  EXPECT_EQ(brick_side_names<2>()[0], "left");
+  EXPECT_EQ(brick_side_names<2>()[3], "top");
+  EXPECT_EQ(brick_side_names<3>()[1], "right");
+  EXPECT_EQ(brick_side_names<3>()[2], "front");
+  EXPECT_EQ(brick_side_names<3>()[4], "bottom");
 }

@@ -133,6 +133,7 @@ namespace StickSlip
     , period(body.period)
     , rigid(body.rigid)
     , coarse_cells(body.cells)
+    , coarser_cells(body.coarser_cells)
   {
     if constexpr (dim == 3)
       if (coarse_cells->all_reference_cells_are_simplex())
@@ -170,8 +171,19 @@ namespace StickSlip
     , period(finer.period)
     , rigid(finer.rigid)
     , coarse_cells(finer.coarse_cells)
+    , coarser_cells(finer.coarser_cells)
     , red_refinements(finer.red_refinements)
   {
+    if (!finer.can_be_coarsened())
+      {
+        AssertThrow(has_coarser_cells(), ExcInternalError());
+        coarse_cells = coarser_cells.front();
+        coarser_cells.erase(coarser_cells.begin());
+        mesh = coarse_cells;
+        distribute_dofs();
+        return;
+      }
+
     if constexpr (dim == 3)
       if (!red_refinements.empty())
         {
@@ -275,6 +287,24 @@ namespace StickSlip
   BodyMesh<dim>::can_be_coarsened() const
   {
     return mesh->n_levels() > 1 || !red_refinements.empty();
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyMesh<dim>::has_coarser_cells() const
+  {
+    return !coarser_cells.empty();
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyMesh<dim>::is_nested_with(const BodyMesh &other) const
+  {
+    return coarse_cells == other.coarse_cells;
   }
 
 

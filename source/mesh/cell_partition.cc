@@ -6,6 +6,7 @@
 
 #include <metis.h>
 #include <stickslip/mesh/cell_partition.h>
+#include <stickslip/mesh/place_finder.h>
 
 #include <algorithm>
 #include <iterator>
@@ -299,6 +300,23 @@ namespace StickSlip
   {
     std::vector<unsigned int> owners(coarse.triangulation().n_vertices(),
                                      numbers::invalid_unsigned_int);
+    if (!coarse.is_nested_with(fine))
+      {
+        const PlaceFinder<dim> finder(fine.triangulation());
+        for (unsigned int v = 0; v < owners.size(); ++v)
+          {
+            const auto place =
+              finder.find(coarse.triangulation().get_vertices()[v]);
+            owners[v] =
+              fine_owners[std::max_element(place.values.begin(),
+                                           place.values.end(),
+                                           [](const auto &a, const auto &b) {
+                                             return a.second < b.second;
+                                           })
+                            ->first];
+          }
+        return owners;
+      }
     if (&coarse != &fine && !fine.vertex_parents().empty())
       {
         std::copy_n(fine_owners.begin(), owners.size(), owners.begin());

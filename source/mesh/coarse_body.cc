@@ -9,6 +9,24 @@
 namespace StickSlip
 {
   template <int dim>
+  std::map<types::boundary_id, std::string>
+  brick_side_names()
+  {
+    const std::array<const char *, 3> lower = {{"left", "front", "bottom"}};
+    const std::array<const char *, 3> upper = {{"right", "back", "top"}};
+    std::map<types::boundary_id, std::string> names;
+    for (unsigned int axis = 0; axis < dim; ++axis)
+      {
+        const unsigned int name = axis + 1 == dim ? 2 : axis;
+        names[2 * axis]         = lower[name];
+        names[2 * axis + 1]     = upper[name];
+      }
+    return names;
+  }
+
+
+
+  template <int dim>
   CoarseBody<dim>
   coarse_brick(const BodyGeometry<dim> &geometry)
   {
@@ -35,19 +53,14 @@ namespace StickSlip
     body.period              = geometry.period();
     body.lateral_lower       = geometry.lateral_lower;
 
-    const std::array<const char *, 3> lower = {{"left", "front", "bottom"}};
-    const std::array<const char *, 3> upper = {{"right", "back", "top"}};
-    for (unsigned int axis = 0; axis < dim; ++axis)
-      {
-        const unsigned int name       = axis + 1 == dim ? 2 : axis;
-        body.side_names[2 * axis]     = lower[name];
-        body.side_names[2 * axis + 1] = upper[name];
-      }
+    body.side_names = brick_side_names<dim>();
     return body;
   }
 
 
 
+  template decltype(brick_side_names<2>) brick_side_names<2>;
+  template decltype(brick_side_names<3>) brick_side_names<3>;
   template struct CoarseBody<2>;
   template struct CoarseBody<3>;
   template CoarseBody<2>

@@ -7,6 +7,7 @@
 #include <stickslip/mesh/fault_faces.h>
 #include <stickslip/mesh/fault_orientation.h>
 #include <stickslip/mesh/node_welding.h>
+#include <stickslip/mesh/touching_sides.h>
 #include <stickslip/mesh/vertex_fans.h>
 
 namespace StickSlip
@@ -85,6 +86,11 @@ namespace StickSlip
         for (unsigned int b = 0; b < result.bodies.size(); ++b)
           result.bodies[b].side_names = sides.side_names(b);
         result.topology = FaultTopology(mesh.body_names, topology_of_faults);
+        for (unsigned int f = 0; f < fault_list.size(); ++f)
+          if (fault_list[f].has_side_groups())
+            check_sides_touch(result.bodies,
+                              mesh.body_names,
+                              topology_of_faults[f]);
         return std::move(result);
       }
 

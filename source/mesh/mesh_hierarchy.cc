@@ -166,6 +166,16 @@ namespace StickSlip
           if (body->can_be_coarsened())
             body = std::make_shared<BodyMesh<dim>>(*body);
       }
+    // Coarser cells are for all bodies, whose sides shall go on to fit.
+    while (
+      std::all_of(meshes.back().begin(),
+                  meshes.back().end(),
+                  [](const auto &body) { return body->has_coarser_cells(); }))
+      {
+        meshes.push_back(meshes.back());
+        for (auto &body : meshes.back())
+          body = std::make_shared<BodyMesh<dim>>(*body);
+      }
 
     std::vector<std::vector<unsigned int>>       owners_of_vertices;
     const std::vector<std::vector<unsigned int>> owners_of_cells =
@@ -206,6 +216,10 @@ namespace StickSlip
         wanted.add_indices(levels[l].strip());
         if (l > 0)
           wanted.add_indices(prolongations.back().columns(levels[l].n_nodes()));
+        // Coarser cells that are not nested couple nodes farther away; they are
+        // few.
+        if (!meshes[l + 1].front()->is_nested_with(*meshes[l].front()))
+          wanted.add_range(0, levels[l].n_nodes());
         wanted.compress();
         prolongations.emplace_back(levels[l + 1], levels[l], wanted);
       }

@@ -6,6 +6,9 @@
 
 #include <stickslip/algebra/index_set.h>
 #include <stickslip/mesh/nodal_prolongation.h>
+#include <stickslip/mesh/place_finder.h>
+
+#include <map>
 
 namespace StickSlip
 {
@@ -37,6 +40,11 @@ namespace StickSlip
       void
       make()
       {
+        if (!coarse.bodies[body]->is_nested_with(*fine.bodies[body]))
+          {
+            from_places();
+            return;
+          }
         if (coarse.bodies[body] != fine.bodies[body] &&
             !fine.bodies[body]->vertex_parents().empty())
           {
@@ -60,13 +68,8 @@ namespace StickSlip
       from_edges()
       {
         const auto &parents = fine.bodies[body]->vertex_parents();
-        std::vector<types::global_dof_index> coarse_dof_of_vertex(
-          coarse.bodies[body]->triangulation().n_vertices());
-        for (const auto &cell :
-             coarse.bodies[body]->dof_handler().active_cell_iterators())
-          for (const auto v : cell->vertex_indices())
-            coarse_dof_of_vertex[cell->vertex_index(v)] =
-              cell->vertex_dof_index(v, 0);
+        const std::vector<types::global_dof_index> coarse_node =
+          nodes_of_vertices(coarse);
         for (const auto &cell :
              fine.bodies[body]->dof_handler().active_cell_iterators())
           for (const auto v : cell->vertex_indices())
@@ -78,16 +81,74 @@ namespace StickSlip
               GlobalRow &row = rows[wanted.index_within_set(node)];
               if (!row.empty())
                 continue;
-              const auto &[a, b]     = parents[cell->vertex_index(v)];
-              const auto coarse_node = [&](const unsigned int vertex) {
-                return coarse.global_node(body, coarse_dof_of_vertex[vertex]);
-              };
+              const auto &[a, b] = parents[cell->vertex_index(v)];
               if (a == b)
-                row.emplace_back(coarse_node(a), 1.);
+                row.emplace_back(coarse_node[a], 1.);
               else
                 for (const unsigned int end : {a, b})
-                  row.emplace_back(coarse_node(end), 0.5);
+                  row.emplace_back(coarse_node[end], 0.5);
             }
+      }
+
+      /** Global numbers of the nodes at the vertices of a mesh without bound
+       * nodes. */
+      std::vector<types::global_dof_index>
+      nodes_of_vertices(const MeshLevel<dim> &level) const
+      {
+        std::vector<types::global_dof_index> nodes(
+          level.bodies[body]->triangulation().n_vertices());
+        for (const auto &cell :
+             level.bodies[body]->dof_handler().active_cell_iterators())
+          for (const auto v : cell->vertex_indices())
+            nodes[cell->vertex_index(v)] =
+              level.global_node(body, cell->vertex_dof_index(v, 0));
+        return nodes;
+      }
+
+      /** Nodes in the cells of a mesh that is not nested; those on a side in
+       * the faces of that side, so that both sides of a fault stay apart, and
+       * points outside of a curved one are next to it. None are bound. */
+      void
+      from_places()
+      {
+        const Triangulation<dim> &coarse_mesh =
+          coarse.bodies[body]->triangulation();
+        const Triangulation<dim> &fine_mesh =
+          fine.bodies[body]->triangulation();
+        const std::vector<types::global_dof_index> coarse_node =
+                                                     nodes_of_vertices(coarse),
+                                                   fine_node =
+                                                     nodes_of_vertices(fine);
+
+        using Place = typename PlaceFinder<dim>::Place;
+        std::map<unsigned int, Place> places;
+        for (const types::boundary_id side : coarse_mesh.get_boundary_ids())
+          {
+            const PlaceFinder<dim> finder(coarse_mesh, side);
+            for (const auto &face : fine_mesh.active_face_iterators())
+              if (face->at_boundary() && face->boundary_id() == side)
+                for (unsigned int v = 0; v < face->n_vertices(); ++v)
+                  {
+                    const Place place = finder.find(face->vertex(v));
+                    const auto [so_far, is_new] =
+                      places.emplace(face->vertex_index(v), place);
+                    if (!is_new && place.distance < so_far->second.distance)
+                      so_far->second = place;
+                  }
+          }
+        const PlaceFinder<dim> finder(coarse_mesh);
+        for (unsigned int v = 0; v < fine_mesh.n_vertices(); ++v)
+          {
+            if (!wanted.is_element(fine_node[v]))
+              continue;
+            const auto  known = places.find(v);
+            const Place place = known != places.end() ?
+                                  known->second :
+                                  finder.find(fine_mesh.get_vertices()[v]);
+            GlobalRow  &row   = rows[wanted.index_within_set(fine_node[v])];
+            for (const auto &[vertex, value] : place.values)
+              row.emplace_back(coarse_node[vertex], value);
+          }
       }
 
       void

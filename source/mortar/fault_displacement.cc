@@ -5,6 +5,7 @@
 
 #include <stickslip/mortar/fault_displacement.h>
 
+#include <algorithm>
 #include <map>
 
 namespace StickSlip
@@ -22,11 +23,21 @@ namespace StickSlip
         fine_place[row.front().first] = k;
 
     std::vector<unsigned int> result;
-    for (const auto node : coarse.nodes)
+    for (unsigned int c = 0; c < coarse.nodes.size(); ++c)
       {
-        const auto place = fine_place.find(node);
-        AssertThrow(place != fine_place.end(), ExcInternalError());
-        result.push_back(place->second);
+        const auto place = fine_place.find(coarse.nodes[c]);
+        if (place != fine_place.end())
+          result.push_back(place->second);
+        else
+          // The next one, where meshes are not nested.
+          result.push_back(
+            std::min_element(fine.points.begin(),
+                             fine.points.end(),
+                             [&](const auto &a, const auto &b) {
+                               return coarse.points[c].distance(a) <
+                                      coarse.points[c].distance(b);
+                             }) -
+            fine.points.begin());
       }
     return result;
   }

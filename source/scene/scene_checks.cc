@@ -276,8 +276,8 @@ namespace StickSlip
               fault.normal_stress_source == NormalStressSource::lithostatic)
             throw InputError(
               naming(fault.section() + "/Normal stress", "lithostatic") +
-              ": cannot be used with 'Bodies/Mesh file', since bodies of any "
-              "shape have no thickness.");
+              ": is for bricks in a stack only, since bodies of any shape have no "
+              "thickness.");
           for (const FaultPart &part : fault.parts(points))
             part.friction->check(part.select(points), part.section);
           if (fault.normal_stress_source == NormalStressSource::function)

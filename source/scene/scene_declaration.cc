@@ -10,6 +10,25 @@
 
 namespace StickSlip
 {
+  template <int dim>
+  void
+  declare_body(ParameterHandler &prm, BodyParameters<dim> &body)
+  {
+    prm.enter_subsection("Bodies");
+    prm.enter_subsection(body.name);
+    body.geometry.section = body.section();
+    body.geometry.add_parameters(prm);
+    body.block.add_parameters(prm, dim);
+    prm.enter_subsection("Material");
+    body.material.section = body.section() + "/Material";
+    body.material.add_parameters(prm);
+    prm.leave_subsection();
+    prm.leave_subsection();
+    prm.leave_subsection();
+  }
+
+
+
   namespace
   {
     template <int dim>
@@ -17,12 +36,13 @@ namespace StickSlip
     declare_bodies(ParameterHandler &prm, SceneParameters<dim> &scene)
     {
       prm.enter_subsection("Bodies");
-      prm.declare_entry("Names",
-                        join_names(names_of(scene.bodies)),
-                        NameList(),
-                        "Names of the bodies from bottom to top, or of those "
-                        "in the mesh files. Each has a subsection of its "
-                        "name.");
+      prm.declare_entry(
+        "Names",
+        join_names(names_of(scene.bodies)),
+        NameList(),
+        "Names of the bodies: from bottom to top, or blocks, or "
+        "those in the mesh files. Each has a subsection of its "
+        "name.");
       add_text(prm,
                "Mesh file",
                scene.mesh_entries.files,
@@ -32,6 +52,16 @@ namespace StickSlip
                "of volumes (in two dimensions, of surfaces) are the bodies of "
                "the same names, those of surfaces (of lines) their sides and "
                "the faults. Bodies are cut open along the faults.");
+      add_text(
+        prm,
+        "Coarser mesh files",
+        scene.mesh_entries.coarser_files,
+        "Names of mesh files of the same bodies and faults with fewer "
+        "cells, finest first, separated by commas; files of one mesh are "
+        "joined by a plus sign. They are levels of the multigrid method "
+        "below the unrefined mesh, and need not be nested. They pay "
+        "where that has more than 40000 unknowns in two dimensions or "
+        "10000 in three. Empty: none.");
       add_number(prm,
                  "Length unit",
                  scene.mesh_entries.length_unit,
@@ -42,18 +72,9 @@ namespace StickSlip
                  scene.bodies.front().geometry.base,
                  NumberRange(),
                  "Elevation of the lower side of the lowest body, in m.");
-      for (BodyParameters<dim> &body : scene.bodies)
-        {
-          prm.enter_subsection(body.name);
-          body.geometry.section = "Bodies/" + body.name;
-          body.geometry.add_parameters(prm);
-          prm.enter_subsection("Material");
-          body.material.section = "Bodies/" + body.name + "/Material";
-          body.material.add_parameters(prm);
-          prm.leave_subsection();
-          prm.leave_subsection();
-        }
       prm.leave_subsection();
+      for (BodyParameters<dim> &body : scene.bodies)
+        declare_body(prm, body);
     }
 
 
@@ -63,13 +84,14 @@ namespace StickSlip
     declare_faults(ParameterHandler &prm, SceneParameters<dim> &scene)
     {
       prm.enter_subsection("Faults");
-      prm.declare_entry("Names",
-                        join_names(names_of(scene.faults)),
-                        NameList(),
-                        "Names of the faults from bottom to top, one between "
-                        "each two neighbouring bodies; empty for a single "
-                        "body. With mesh files, any faults. Each has a "
-                        "subsection of its name.");
+      prm.declare_entry(
+        "Names",
+        join_names(names_of(scene.faults)),
+        NameList(),
+        "Names of the faults from bottom to top, one between "
+        "each two neighbouring bodies; empty for a single "
+        "body. With blocks or mesh files, any faults. Each has a "
+        "subsection of its name.");
       scene.mesh_entries.faults.resize(scene.faults.size());
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
@@ -81,18 +103,19 @@ namespace StickSlip
                    entries.group,
                    "The physical group of its faces in the mesh files; empty: "
                    "that of the fault's name.");
-          add_text(prm,
-                   "Between",
-                   entries.between,
-                   "The bodies on both sides of the fault in mesh files, "
-                   "separated by a comma: slip is the motion of the second "
-                   "relative to the first, and the normal points to the "
-                   "second. Empty: the body listed first in 'Bodies/Names' is "
-                   "first; where a body is on both sides, the normal points "
-                   "upwards. Sides with nodes of their own, whose meshes need "
-                   "not match, are given as '<body> <side>', several of them "
-                   "joined by a plus sign: 'lower top, left bottom + right "
-                   "bottom'.");
+          add_text(
+            prm,
+            "Between",
+            entries.between,
+            "With mesh files, the bodies on both sides of the fault, "
+            "separated by a comma: slip is the motion of the second "
+            "relative to the first, and the normal points to the "
+            "second. Empty: the body listed first in 'Bodies/Names' is "
+            "first; where a body is on both sides, the normal points "
+            "upwards. Sides with nodes of their own, whose meshes need "
+            "not match, and those of blocks, are given as '<body> <side>', several of them "
+            "joined by a plus sign: 'lower top, left bottom + right "
+            "bottom'.");
           prm.leave_subsection();
         }
       prm.leave_subsection();
@@ -251,21 +274,6 @@ namespace StickSlip
 
 
   template <int dim>
-  std::string
-  side_name(const unsigned int side)
-  {
-    AssertIndexRange(side, 2 * dim);
-    const unsigned int axis = side / 2;
-    if (axis == 0)
-      return side % 2 == 0 ? "left" : "right";
-    if (axis == dim - 1)
-      return side % 2 == 0 ? "bottom" : "top";
-    return side % 2 == 0 ? "front" : "back";
-  }
-
-
-
-  template <int dim>
   void
   declare_scene(ParameterHandler &prm, SceneParameters<dim> &scene)
   {
@@ -322,8 +330,8 @@ namespace StickSlip
 
 
 
-  template decltype(side_name<2>)         side_name<2>;
-  template decltype(side_name<3>)         side_name<3>;
+  template decltype(declare_body<2>)      declare_body<2>;
+  template decltype(declare_body<3>)      declare_body<3>;
   template decltype(declare_scene<2>)     declare_scene<2>;
   template decltype(declare_scene<3>)     declare_scene<3>;
   template decltype(complete_geometry<2>) complete_geometry<2>;

@@ -38,10 +38,12 @@ namespace StickSlip
           CoarseBody<dim>         &body     = result.back();
           const BodyGeometry<dim> &geometry = bodies[b].geometry;
           body.cells                        = mesh->bodies[b].triangulation();
-          body.side_names                   = mesh->bodies[b].side_names;
-          body.uniform_refinements          = geometry.uniform_refinements;
-          body.refinement_passes            = geometry.refinement_passes;
-          body.refine_where                 = geometry.where_to_refine();
+          for (const auto &coarser : coarser_meshes)
+            body.coarser_cells.push_back(coarser->bodies[b].triangulation());
+          body.side_names          = mesh->bodies[b].side_names;
+          body.uniform_refinements = geometry.uniform_refinements;
+          body.refinement_passes   = geometry.refinement_passes;
+          body.refine_where        = geometry.where_to_refine();
         }
     return result;
   }

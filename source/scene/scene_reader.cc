@@ -5,9 +5,9 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/base/input_error.h>
-#include <stickslip/parameters/declared_entries.h>
 #include <stickslip/parameters/name_list.h>
-#include <stickslip/parameters/spatial_field.h>
+#include <stickslip/scene/coarser_mesh_files.h>
+#include <stickslip/scene/entry_assignment.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/scene_reader.h>
@@ -22,69 +22,6 @@ namespace StickSlip
 {
   namespace
   {
-    std::string
-    naming(const Assignment &assignment)
-    {
-      return "'" + assignment.path() + "' = '" + assignment.value + "' (" +
-             assignment.origin + ")";
-    }
-
-
-
-    /** Entries in the subsection of one that is not there, or subsections of
-     * the deepest one that exists. */
-    std::string
-    alternatives(const Assignment                 &assignment,
-                 const std::vector<DeclaredEntry> &entries)
-    {
-      std::vector<std::string> sections = assignment.sections;
-      while (true)
-        {
-          std::vector<std::string> names;
-          for (const DeclaredEntry &entry : entries)
-            {
-              if (entry.sections.size() < sections.size() ||
-                  !std::equal(sections.begin(),
-                              sections.end(),
-                              entry.sections.begin()))
-                continue;
-              const std::string name =
-                entry.sections.size() == sections.size() ?
-                  entry.name :
-                  entry.sections[sections.size()] + "/";
-              if (std::find(names.begin(), names.end(), name) == names.end())
-                names.push_back(name);
-            }
-          if (!names.empty())
-            {
-              std::string where;
-              for (const std::string &section : sections)
-                where += (where.empty() ? "" : "/") + section;
-              return (where.empty() ? std::string("at the top level") :
-                                      "in '" + where + "'") +
-                     " there are " + join_names(names);
-            }
-          Assert(!sections.empty(), ExcInternalError());
-          sections.pop_back();
-        }
-    }
-
-
-
-    std::vector<DeclaredEntry>::const_iterator
-    find_declared(const std::vector<DeclaredEntry> &entries,
-                  const Assignment                 &assignment)
-    {
-      return std::find_if(entries.begin(),
-                          entries.end(),
-                          [&assignment](const DeclaredEntry &entry) {
-                            return entry.name == assignment.entry &&
-                                   entry.sections == assignment.sections;
-                          });
-    }
-
-
-
     /** Assignment to a region of a fault that takes the place of one to the
      * fault, if the region has such an entry. */
     std::optional<Assignment>
@@ -104,68 +41,48 @@ namespace StickSlip
 
 
 
-    /** Refuse what says nothing of bodies from mesh files, or of bricks. A
-     * value that is the default may stand there. */
+    /** Refuse what says nothing of bodies of another kind. A value that is the
+     * default may stand there. */
     void
     refuse_without_effect(const Assignment                 &assignment,
                           const std::vector<DeclaredEntry> &entries,
-                          const bool                        has_mesh)
+                          const std::string                &kind_of_bodies)
     {
-      static const std::set<std::string> of_bricks = {"Base elevation",
-                                                      "Lower lateral corner",
-                                                      "Upper lateral corner",
-                                                      "Thickness",
-                                                      "Upper slope",
-                                                      "Rigid",
-                                                      "Coarse cells",
-                                                      "Periodic along x",
-                                                      "Periodic along y"};
-      static const std::set<std::string> of_meshes = {"Length unit",
-                                                      "Mesh group",
-                                                      "Between"};
+      static const std::set<std::string> stack = {"bricks in a stack"},
+                                         files = {"in mesh files"},
+                                         stack_or_blocks = {"bricks in a stack",
+                                                            "blocks"},
+                                         blocks_or_files = {"blocks",
+                                                            "in mesh files"},
+                                         blocks          = {"blocks"};
+      static const std::map<std::string, std::set<std::string>> kinds = {
+        {"Base elevation", stack},
+        {"Lower lateral corner", stack},
+        {"Upper lateral corner", stack},
+        {"Thickness", stack},
+        {"Upper slope", stack},
+        {"Rigid", stack},
+        {"Periodic along x", stack},
+        {"Periodic along y", stack},
+        {"Coarse cells", stack_or_blocks},
+        {"Corners", blocks},
+        {"Left polyline", blocks},
+        {"Right polyline", blocks},
+        {"Bottom polyline", blocks},
+        {"Top polyline", blocks},
+        {"Extent along y", blocks},
+        {"Between", blocks_or_files},
+        {"Coarser mesh files", files},
+        {"Length unit", files},
+        {"Mesh group", files}};
       const auto declared = find_declared(entries, assignment);
-      if ((has_mesh ? of_bricks : of_meshes).count(assignment.entry) > 0 &&
+      const auto kind     = kinds.find(assignment.entry);
+      if (kind != kinds.end() && kind->second.count(kind_of_bodies) == 0 &&
           declared != entries.end() &&
           declared->default_value != assignment.value)
-        throw InputError(naming(assignment) + ": has no effect, since " +
-                         (has_mesh ? "bodies are in mesh files." :
-                                     "there is no 'Bodies/Mesh file'."));
-    }
-
-
-
-    void
-    apply(ParameterHandler                 &prm,
-          const std::vector<DeclaredEntry> &entries,
-          const Assignment                 &assignment)
-    {
-      const auto declared = find_declared(entries, assignment);
-      if (declared == entries.end())
-        throw InputError(naming(assignment) + ": there is no such entry; " +
-                         alternatives(assignment, entries) + ".");
-
-      for (const std::string &section : assignment.sections)
-        prm.enter_subsection(section);
-      try
-        {
-          prm.set(assignment.entry,
-                  declared->is_field ?
-                    SpatialField::with_absolute_path(assignment.value,
-                                                     assignment.folder) :
-                    assignment.value);
-        }
-      catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
-        {
-          throw InputError(naming(assignment) + ": must be " +
-                           declared->allowed + ".");
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(naming(assignment) +
-                           ": cannot be used: " + error.what());
-        }
-      for (unsigned int i = 0; i < assignment.sections.size(); ++i)
-        prm.leave_subsection();
+        throw InputError(naming(assignment) +
+                         ": has no effect, since bodies are " + kind_of_bodies +
+                         ".");
     }
   } // namespace
 
@@ -262,8 +179,7 @@ namespace StickSlip
     if (scene.mesh != nullptr)
       sides = scene.mesh->bodies[number].side_names;
     else
-      for (unsigned int side = 0; side < 2 * dim; ++side)
-        sides[side] = side_name<dim>(side);
+      sides = brick_side_names<dim>();
     condition.side_name = name.substr(space + 1);
     const auto side =
       std::find_if(sides.begin(), sides.end(), [&](const auto &candidate) {
@@ -300,21 +216,37 @@ namespace StickSlip
 
 
 
+  std::string
+  SceneReader::with_paths(const std::string &path) const
+  {
+    const Assignment *const files = find(path);
+    if (files == nullptr)
+      return "";
+    std::vector<std::string> meshes;
+    for (const std::string &mesh :
+         Utilities::split_string_list(files->value, ','))
+      {
+        std::vector<std::string> paths;
+        for (const std::string &name : Utilities::split_string_list(mesh, '+'))
+          paths.push_back(std::filesystem::absolute(
+                            std::filesystem::path(files->folder) / name)
+                            .lexically_normal()
+                            .string());
+        meshes.push_back(join_names(paths, " + "));
+      }
+    return join_names(meshes);
+  }
+
+
+
   template <int dim>
   void
   SceneReader::read_mesh(SceneParameters<dim> &scene) const
   {
     // Files are next to the parameter file, wherever the program runs.
-    const Assignment        &files = *find("Bodies/Mesh file");
-    std::vector<std::string> paths;
-    for (const std::string &name :
-         Utilities::split_string_list(files.value, ','))
-      paths.push_back(
-        std::filesystem::absolute(std::filesystem::path(files.folder) / name)
-          .lexically_normal()
-          .string());
-    MeshEntries &entries = scene.mesh_entries;
-    entries.files        = join_names(paths);
+    MeshEntries &entries  = scene.mesh_entries;
+    entries.files         = with_paths("Bodies/Mesh file");
+    entries.coarser_files = with_paths("Bodies/Coarser mesh files");
 
     if (const Assignment *const unit = find("Bodies/Length unit"))
       {
@@ -341,8 +273,49 @@ namespace StickSlip
     // Files say where cells are small, unless the scene asks for more.
     for (BodyParameters<dim> &body : scene.bodies)
       body.geometry.refinement_passes = 0;
-    scene.mesh     = std::make_shared<const CutMesh<dim>>(read_meshes<dim>(
+    scene.mesh = std::make_shared<const CutMesh<dim>>(read_meshes<dim>(
       entries, names("Bodies/Names", 1), names("Faults/Names", 1)));
+    scene.coarser_meshes = read_coarser_meshes<dim>(entries,
+                                                    names("Bodies/Names", 1),
+                                                    names("Faults/Names", 1),
+                                                    *scene.mesh);
+    scene.topology       = scene.mesh->topology;
+  }
+
+
+
+  template <int dim>
+  void
+  SceneReader::read_blocks(SceneParameters<dim> &scene) const
+  {
+    const std::vector<std::string> body_names = names("Bodies/Names", 1);
+    std::vector<Block<dim>>        blocks;
+    for (const BodyParameters<dim> &body : scene.bodies)
+      {
+        ParameterHandler    prm;
+        BodyParameters<dim> parameters = body;
+        declare_body(prm, parameters);
+        const std::vector<DeclaredEntry> entries = declared_entries(prm);
+        for (const Assignment &assignment : assignments)
+          if (find_declared(entries, assignment) != entries.end())
+            apply(prm, entries, assignment);
+        if (parameters.block.corners.empty())
+          throw InputError("'" + body.section() +
+                           "/Corners' = '': must be given, since other bodies "
+                           "have corners; either all have or none.");
+        blocks.push_back(parameters.block.template block<dim>(body.name));
+        blocks.back().cells = parameters.geometry.coarse_cells;
+      }
+    std::vector<MeshFault> faults;
+    for (const FaultParameters &fault : scene.faults)
+      {
+        const std::string entry = fault.section() + "/Between";
+        check_between_blocks<dim>(entry, value_of(entry), body_names);
+        faults.push_back(
+          {fault.name, fault.name, parse_between(value_of(entry))});
+      }
+    scene.mesh = std::make_shared<const CutMesh<dim>>(
+      cut_at_faults(cells_of_blocks(blocks), faults));
     scene.topology = scene.mesh->topology;
   }
 
@@ -377,6 +350,13 @@ namespace StickSlip
       }
     if (!value_of("Bodies/Mesh file").empty())
       read_mesh(scene);
+    else if (std::any_of(
+               scene.bodies.begin(),
+               scene.bodies.end(),
+               [&](const BodyParameters<dim> &body) {
+                 return !value_of(body.section() + "/Corners").empty();
+               }))
+      read_blocks(scene);
     else if (scene.faults.size() + 1 != scene.bodies.size())
       {
         const Assignment *const assignment = find("Faults/Names");
@@ -405,8 +385,8 @@ namespace StickSlip
   {
     Assert(dim == dimension(), ExcDimensionMismatch(dim, dimension()));
 
-    SceneParameters<dim> scene      = named_scene<dim>();
-    const std::string    mesh_files = scene.mesh_entries.files;
+    SceneParameters<dim> scene        = named_scene<dim>();
+    const MeshEntries    mesh_entries = scene.mesh_entries;
     {
       ParameterHandler prm;
       declare_scene(prm, scene);
@@ -415,10 +395,14 @@ namespace StickSlip
         return assignment.sections.size() > 3 &&
                assignment.sections[2] == "Regions";
       };
+      const std::string kind_of_bodies =
+        scene.mesh == nullptr      ? "bricks in a stack" :
+        mesh_entries.files.empty() ? "blocks" :
+                                     "in mesh files";
       for (const Assignment &assignment : assignments)
         if (!is_of_region(assignment))
           {
-            refuse_without_effect(assignment, entries, scene.mesh != nullptr);
+            refuse_without_effect(assignment, entries, kind_of_bodies);
             apply(prm, entries, assignment);
           }
       // Entries that a region does not set are as in its fault.
@@ -432,7 +416,8 @@ namespace StickSlip
         if (is_of_region(assignment))
           apply(prm, entries, assignment);
     }
-    scene.mesh_entries.files = mesh_files;
+    scene.mesh_entries.files         = mesh_entries.files;
+    scene.mesh_entries.coarser_files = mesh_entries.coarser_files;
     complete_geometry(scene);
     if (scene.output.directory.empty())
       scene.output.directory = (std::filesystem::path("output") /

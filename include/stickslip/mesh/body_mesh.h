@@ -49,12 +49,21 @@ namespace StickSlip
     BodyMesh(const BodyGeometry<dim>            &geometry,
              const std::set<types::boundary_id> &sides_at_faults);
 
-    /** The mesh in which every cell of @p finer that can be is coarsened. */
+    /** The mesh in which every cell of @p finer that can be is coarsened; if
+     * none can be, the next of CoarseBody::coarser_cells. */
     explicit BodyMesh(const BodyMesh &finer);
 
     /** True if the mesh is finer than the coarse cells. */
     bool
     can_be_coarsened() const;
+
+    /** True if there are coarser cells than the coarse ones of this mesh. */
+    bool
+    has_coarser_cells() const;
+
+    /** True if both meshes are refined from the same coarse cells. */
+    bool
+    is_nested_with(const BodyMesh &other) const;
 
     /** For each vertex the ends of the edge of the next coarser mesh in whose
      * middle it is, or twice itself. Empty if cells are trees, or if there is
@@ -138,6 +147,9 @@ namespace StickSlip
 
     /** The mesh before any refinement. */
     std::shared_ptr<const Triangulation<dim>> coarse_cells;
+
+    /** Cells of still coarser meshes, finest first. */
+    std::vector<std::shared_ptr<const Triangulation<dim>>> coarser_cells;
 
     /** Meshes of tetrahedra, the last of which is the one of the body. */
     std::vector<std::shared_ptr<const RedRefinement>> red_refinements;

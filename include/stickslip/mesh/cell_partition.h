@@ -40,7 +40,8 @@ namespace StickSlip
 
   /**
    * Owners of the vertices of a coarser mesh of the body: the owners of the
-   * vertices of the finer one at the same places.
+   * vertices of the finer one at the same places, or near to them if the meshes
+   * are not nested.
    */
   template <int dim>
   std::vector<unsigned int>

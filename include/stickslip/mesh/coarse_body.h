@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace StickSlip
 {
@@ -28,6 +29,11 @@ namespace StickSlip
     /** Cells of one shape, none of them refined; boundary indicators are those
      * of the sides. */
     std::shared_ptr<const Triangulation<dim>> cells;
+
+    /** Coarser cells of the same body, whose sides have the same indicators,
+     * finest first: levels of the multigrid method below the cells above. They
+     * need not be nested. */
+    std::vector<std::shared_ptr<const Triangulation<dim>>> coarser_cells;
 
     /** Names of the sides by boundary indicator. */
     std::map<types::boundary_id, std::string> side_names;
@@ -52,6 +58,12 @@ namespace StickSlip
     /** Lower end along each axis on which fields repeat, m. */
     std::array<double, dim - 1> lateral_lower = {};
   };
+
+  /** Names of the sides of a brick by boundary indicator: left, right, (front,
+   * back,) bottom, top. */
+  template <int dim>
+  std::map<types::boundary_id, std::string>
+  brick_side_names();
 
   /** The coarse cells of a brick. Sides have the indicators of deal.II's
    * bricks: 2 d and 2 d + 1 are the lower and the upper one across axis d. */

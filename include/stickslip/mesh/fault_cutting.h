@@ -57,7 +57,7 @@ namespace StickSlip
    *   have,
    * - bodies are joined where no fault is, or touch there with doubled nodes,
    * - there is no such group or body,
-   * - or as orient_fault() and FaultTopology do.
+   * - or as orient_fault(), check_sides_touch() and FaultTopology do.
    */
   template <int dim>
   CutMesh<dim>

@@ -21,7 +21,8 @@ namespace StickSlip
     /**
      * The rows of the @p wanted nodes of the level @p fine: the values there of
      * the basis functions of @p coarse, whose meshes differ by at most one
-     * refinement of each cell.
+     * refinement of each cell, or are not nested. In the latter case nodes
+     * outside of the coarse cells have the values next to them.
      */
     template <int dim>
     NodalProlongation(const MeshLevel<dim> &coarse,

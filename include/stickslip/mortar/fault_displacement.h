@@ -45,7 +45,8 @@ namespace StickSlip
   /**
    * The places on the surface @p fine of the nodes of the surface @p coarse. A
    * coarse node is at the place of the fine node whose row of the
-   * @p prolongation is that node alone.
+   * @p prolongation is that node alone; if there is none, since meshes are not
+   * nested, at that of the nearest one.
    */
   template <int dim>
   std::vector<unsigned int>

@@ -28,6 +28,10 @@ namespace StickSlip
     /** Names of files, separated by commas; empty: bodies are bricks. */
     std::string files;
 
+    /** Names of the files of each coarser mesh, finest first, separated by
+     * commas; several of one mesh are joined by plus signs. */
+    std::string coarser_files;
+
     /** Unit of length in the files, m. */
     double length_unit = 1.;
 

@@ -8,19 +8,16 @@
 
 #include <stickslip/scene/scene_parameters.h>
 
-#include <string>
-
 namespace StickSlip
 {
   using namespace dealii;
 
   /**
-   * Name of a side by its boundary indicator: left, right, (front, back,)
-   * bottom, top.
+   * Declare the entries of a body in its subsection of @p prm.
    */
   template <int dim>
-  std::string
-  side_name(const unsigned int side);
+  void
+  declare_body(ParameterHandler &prm, BodyParameters<dim> &body);
 
   /**
    * Declare the whole parameter file of @p scene, whose values are the

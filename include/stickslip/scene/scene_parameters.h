@@ -13,6 +13,7 @@
 #include <stickslip/mesh/fault_topology.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
+#include <stickslip/scene/block_entries.h>
 #include <stickslip/scene/mesh_entries.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/tnnmg/solver_parameters.h>
@@ -34,7 +35,15 @@ namespace StickSlip
   {
     std::string       name;
     BodyGeometry<dim> geometry;
+    BlockEntries      block;
     MaterialFields    material;
+
+    /** The path of the subsection of the entries. */
+    std::string
+    section() const
+    {
+      return "Bodies/" + name;
+    }
   };
 
   /**
@@ -50,10 +59,13 @@ namespace StickSlip
     /** The bodies and faults above, in the same order. */
     FaultTopology topology;
 
-    /** Mesh files, and what they contain; nothing where bodies are bricks in a
-     * stack. */
+    /** Mesh files, and what they contain or blocks are; nothing where bodies
+     * are bricks in a stack. */
     MeshEntries                         mesh_entries;
     std::shared_ptr<const CutMesh<dim>> mesh;
+
+    /** Coarser meshes of the same bodies, finest first. */
+    std::vector<std::shared_ptr<const CutMesh<dim>>> coarser_meshes;
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
@@ -85,13 +97,13 @@ namespace StickSlip
     std::vector<CoarseBody<dim>>
     coarse_bodies() const;
 
-    /** The point of a brick next to a point; in a body of a mesh file the point
-     * itself, which must be in it. */
+    /** The point of a brick next to a point; in a block or a body of a mesh
+     * file the point itself, which must be in it. */
     Point<dim>
     within_body(const unsigned int body, const Point<dim> &point) const;
 
     /** The sides of a fault along the last axis: that of the bodies below, then
-     * that of the bodies above. With mesh files, its first and second side. */
+     * that of the bodies above. Elsewhere its first and second side. */
     std::array<std::vector<BodySide>, 2>
     below_and_above(const unsigned int fault) const;
 

@@ -59,6 +59,17 @@ namespace StickSlip
     void
     read_mesh(SceneParameters<dim> &scene) const;
 
+    /** Make the blocks of a scene whose bodies and faults are named. */
+    template <int dim>
+    void
+    read_blocks(SceneParameters<dim> &scene) const;
+
+    /** The names of mesh files in an entry with absolute paths: files are next
+     * to the parameter file, wherever the program runs. Empty if it is not
+     * set. */
+    std::string
+    with_paths(const std::string &path) const;
+
     /** The value of an entry that is read before all are declared; empty if
      * it is not set. */
     std::string

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mesh_touching_sides_h
+#define stickslip_mesh_touching_sides_h
+
+#include <stickslip/mesh/body_cells.h>
+#include <stickslip/mesh/fault_topology.h>
+
+namespace StickSlip
+{
+  /**
+   * Throws InputError if a part of a side of a fault is nowhere opposite to the
+   * other side, or off it by more than a tenth of the size of the faces there,
+   * which is what meshes of curved sides need that do not match.
+   *
+   * @p bodies in the order of the topology.
+   */
+  template <int dim>
+  void
+  check_sides_touch(const std::vector<BodyCells<dim>> &bodies,
+                    const std::vector<std::string>    &body_names,
+                    const Fault                       &fault);
+} // namespace StickSlip
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/base/input_error.h>
+#include <stickslip/parameters/name_list.h>
+#include <stickslip/parameters/spatial_field.h>
+#include <stickslip/scene/entry_assignment.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** Entries in the subsection of one that is not there, or subsections of
+     * the deepest one that exists. */
+    std::string
+    alternatives(const Assignment                 &assignment,
+                 const std::vector<DeclaredEntry> &entries)
+    {
+      std::vector<std::string> sections = assignment.sections;
+      while (true)
+        {
+          std::vector<std::string> names;
+          for (const DeclaredEntry &entry : entries)
+            {
+              if (entry.sections.size() < sections.size() ||
+                  !std::equal(sections.begin(),
+                              sections.end(),
+                              entry.sections.begin()))
+                continue;
+              const std::string name =
+                entry.sections.size() == sections.size() ?
+                  entry.name :
+                  entry.sections[sections.size()] + "/";
+              if (std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(name);
+            }
+          if (!names.empty())
+            {
+              std::string where;
+              for (const std::string &section : sections)
+                where += (where.empty() ? "" : "/") + section;
+              return (where.empty() ? std::string("at the top level") :
+                                      "in '" + where + "'") +
+                     " there are " + join_names(names);
+            }
+          Assert(!sections.empty(), ExcInternalError());
+          sections.pop_back();
+        }
+    }
+  } // namespace
+
+
+
+  std::string
+  naming(const Assignment &assignment)
+  {
+    return "'" + assignment.path() + "' = '" + assignment.value + "' (" +
+           assignment.origin + ")";
+  }
+
+
+
+  std::vector<DeclaredEntry>::const_iterator
+  find_declared(const std::vector<DeclaredEntry> &entries,
+                const Assignment                 &assignment)
+  {
+    return std::find_if(entries.begin(),
+                        entries.end(),
+                        [&assignment](const DeclaredEntry &entry) {
+                          return entry.name == assignment.entry &&
+                                 entry.sections == assignment.sections;
+                        });
+  }
+
+
+
+  void
+  apply(ParameterHandler                 &prm,
+        const std::vector<DeclaredEntry> &entries,
+        const Assignment                 &assignment)
+  {
+    const auto declared = find_declared(entries, assignment);
+    if (declared == entries.end())
+      throw InputError(naming(assignment) + ": there is no such entry; " +
+                       alternatives(assignment, entries) + ".");
+
+    for (const std::string &section : assignment.sections)
+      prm.enter_subsection(section);
+    try
+      {
+        prm.set(assignment.entry,
+                declared->is_field ?
+                  SpatialField::with_absolute_path(assignment.value,
+                                                   assignment.folder) :
+                  assignment.value);
+      }
+    catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
+      {
+        throw InputError(naming(assignment) + ": must be " + declared->allowed +
+                         ".");
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(naming(assignment) +
+                         ": cannot be used: " + error.what());
+      }
+    for (unsigned int i = 0; i < assignment.sections.size(); ++i)
+      prm.leave_subsection();
+  }
+} // namespace StickSlip
