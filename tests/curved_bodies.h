@@ -89,15 +89,10 @@ namespace StickSlip::Tests
                              c = number(i, j + 1), d = number(i + 1, j + 1);
           if (!of_triangles)
             add({a, b, c, d});
-          else if ((i + j) % 2 == 0)
+          else
             {
               add({a, b, d});
               add({a, d, c});
-            }
-          else
-            {
-              add({a, b, c});
-              add({b, d, c});
             }
         }
     const auto add_face = [&](const unsigned int       a,

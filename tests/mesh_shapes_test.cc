@@ -88,8 +88,9 @@ namespace
           for (const Point<dim> &point : *points)
             EXPECT_LE(distance(point), most) << point << " on level " << l;
         if (first.size() == second.size())
-          for (unsigned int k = 0; k < first.size(); ++k)
-            EXPECT_EQ(first[k], second[k]) << "on level " << l;
+          {
+            EXPECT_EQ(first, second) << "on level " << l;
+          }
         // Nodes of a level are those of the next one.
         if (l > 0)
           for (const unsigned int side : {0, 1})
@@ -150,10 +151,9 @@ namespace
 TEST(SplineCurve, IsOfFourthOrderUpToTheEnds)
 {
   const double error = spline_error(22);
-  std::cout << "off a sine of 22 points: " << error
-            << ", of 44 points: " << spline_error(44) << '\n';
+  std::cout << "off a sine of 22 points: " << error << '\n';
   EXPECT_LT(error, 1.6e-5);
-  EXPECT_GT(error / spline_error(44), 14.);
+  EXPECT_GT(spline_error(44) / spline_error(88), 13.);
 }
 
 
@@ -166,7 +166,7 @@ TEST(SplineCurve, OfAClosedCurve)
       std::vector<Point<2>> points;
       for (unsigned int i = 0; i < n; ++i)
         {
-          const double angle = 2. * numbers::PI * i / n + 0.1 * (i % 2);
+          const double angle = (2. * numbers::PI * i + 1.2 * (i % 2)) / n;
           points.emplace_back(3. * std::cos(angle), 3. * std::sin(angle));
         }
       const SplineCurve spline(points, true);
@@ -181,8 +181,8 @@ TEST(SplineCurve, OfAClosedCurve)
       for (const Point<2> &point : points)
         EXPECT_EQ(spline.nearest(point), point);
     }
-  EXPECT_LT(errors[0], 3e-3);
-  EXPECT_GT(errors[0] / errors[1], 10.);
+  EXPECT_LT(errors[0], 6e-3);
+  EXPECT_GT(errors[0] / errors[1], 13.);
 }
 
 
@@ -231,7 +231,7 @@ TEST(FaultShapes, GivenCurvesOfMeshesThatDoNotMatch)
       const MeshHierarchy<2> smooth(bodies.smooth(1, 2),
                                     bodies.topology,
                                     MPI_COMM_WORLD);
-      expect_on_curve<2>(smooth, distance_from_sine, 7e-5);
+      expect_on_curve<2>(smooth, distance_from_sine, 8e-5);
     }
 }
 
@@ -367,7 +367,7 @@ TEST(FaultShapes, SurfacesOfHexahedra)
 TEST(FaultShapes, SurfacesOfTetrahedra)
 {
   const auto surface = std::make_shared<const GraphShape<3>>(2, hills);
-  const auto bricks  = bent_stack<3>(hills, 4, 4);
+  const auto bricks  = bent_stack<3>(hills, 2, 2);
   std::vector<CoarseBody<3>> bodies;
   for (unsigned int b = 0; b < 2; ++b)
     {

@@ -91,7 +91,7 @@ end
   {
     const TemporaryFolder folder;
     folder.write("columns.msh", two_columns().text());
-    folder.write("profile.txt", "y x\n0 1\n0.5 1.02\n1 1\n2 1.04\n");
+    folder.write("profile.txt", "y\n0 1\n0.5 1.02\n1 1\n2 1.04\n");
     return SceneReader(folder.write("scene.prm", text), overrides).read<2>();
   }
 
@@ -138,11 +138,11 @@ TEST(SceneShapes, LithostaticStressFollowsTheElevation)
     read_scene(stack,
                {"Gravity/Acceleration=10",
                 "Bodies/upper/Upper slope=0.2",
-                "Bodies/upper/Material/Density=1e3*(2 + x) + 4e3*y"});
+                "Bodies/upper/Material/Density=1e3*(4 + x) + 4e3*y"});
   for (const double x : {-2., 0.3, 1.25})
     {
       const double top = 1. + 0.2 * (x + 2.5), lower = elevation(x);
-      const double exact = 10. * (1e3 * (2. + x) * (top - lower) +
+      const double exact = 10. * (1e3 * (4. + x) * (top - lower) +
                                   2e3 * (top * top - lower * lower));
       EXPECT_NEAR(lithostatic_stress(scene, 0, {Point<2>(x, lower)})[0],
                   exact,
@@ -181,7 +181,7 @@ TEST(SceneShapes, FaultsOfMeshFilesHaveAShape)
     }
   const TemporaryFolder folder;
   folder.write("columns.msh", two_columns().text());
-  folder.write("profile.txt", "y x\n0 1\n0.5 1.02\n1 1\n2 1.04\n");
+  folder.write("profile.txt", "y\n0 1\n0.5 1.02\n1 1\n2 1.04\n");
   std::string text = columns;
   text.replace(text.find("1 + 0.05 * sin(pi * y)"), 22, "table profile.txt");
   const auto scene = SceneReader(folder.write("scene.prm", text)).read<2>();

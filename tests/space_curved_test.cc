@@ -247,21 +247,60 @@ namespace
 
 
 
+  class Circle : public FaultShape<2>
+  {
+  public:
+    explicit Circle(const double radius)
+      : radius(radius)
+    {}
+
+    virtual Point<2>
+    place(const Point<2> &x) const override
+    {
+      return Point<2>(radius / x.norm() * x);
+    }
+
+  private:
+    double radius;
+  };
+
+
+
+  /** Rings all of whose sides are circles on all levels. */
+  std::vector<CoarseBody<2>>
+  round_rings(const ShapedBodies<2>       &rings,
+              const std::array<double, 3> &radii,
+              const unsigned int           refinements)
+  {
+    std::vector<CoarseBody<2>> bodies =
+      rings.coarse({std::make_shared<Circle>(radii[1])}, refinements);
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const auto cells = std::make_shared<Triangulation<2>>();
+        cells->copy_triangulation(*bodies[b].cells);
+        set_shapes<2>(*cells,
+                      {{2, std::make_shared<Circle>(radii[b])},
+                       {3, std::make_shared<Circle>(radii[b + 1])}});
+        bodies[b].cells = cells;
+      }
+    return bodies;
+  }
+
+
+
   /** The two rings of a disc of radius one in a larger one, the inner one of
    * which is turned at its inner side. */
   struct TurnedRings : HeldBodies
   {
     static constexpr double a = 0.5, c = 2.;
 
-    TurnedRings(const ShapedBodies<2> &rings, const unsigned int refinements)
-      : HeldBodies(rings.smooth(refinements),
-                   rings.topology,
-                   {{0, 2}, {1, 3}},
-                   [](const Point<2> &x) {
-                     const double B = a * a * c * c / (c * c - a * a);
-                     return (B / x.norm_square() - B / (c * c)) *
-                            Tensor<1, 2>({-x[1], x[0]});
-                   })
+    TurnedRings(const std::vector<CoarseBody<2>> &bodies,
+                const FaultTopology              &topology)
+      : HeldBodies(bodies, topology, {{0, 2}, {1, 3}}, [](const Point<2> &x) {
+        const double B = a * a * c * c / (c * c - a * a);
+        return (B / x.norm_square() - B / (c * c)) *
+               Tensor<1, 2>({-x[1], x[0]});
+      })
     {}
 
     /** Shear traction at radius one, Pa. */
@@ -277,13 +316,13 @@ namespace
 
 TEST(CurvedFault, RotationsHaveNoJump)
 {
-  for (const auto &n : {std::array<unsigned int, 2>{{20, 15}},
-                        std::array<unsigned int, 2>{{15, 20}}})
+  for (const auto &n : {std::array<unsigned int, 2>{{40, 30}},
+                        std::array<unsigned int, 2>{{30, 40}}})
     for (const bool of_triangles : {false, true})
       {
         const ShapedBodies<2> rings =
-          two_rings({{0.5, 1., 2.}}, n[0], n[1], 2, of_triangles);
-        const TurnedRings held(rings, 2);
+          two_rings({{0.5, 1., 2.}}, n[0], n[1], 4, of_triangles);
+        const TurnedRings held(rings.smooth(1), rings.topology);
         const auto       &problem = held.scene.problem;
         ASSERT_EQ(std::max(held.fault().slave_nodes.size(),
                            held.fault().master_nodes.size()),
@@ -316,33 +355,38 @@ TEST(CurvedFault, RotationsHaveNoJump)
 
 
 
+// Rings all of whose nodes are on circles, and such that are refined from 20
+// faces: nodes inside are not on circles then.
 TEST(CurvedFault, TractionBetweenRingsIsUniform)
 {
+  const std::array<double, 3> radii = {{0.5, 1., 2.}};
   for (const bool of_triangles : {false, true})
-    {
-      const ShapedBodies<2> rings =
-        two_rings({{0.5, 1., 2.}}, 20, 15, 2, of_triangles);
-      TurnedRings held(rings, 2);
-      held.solve(1e-12, everywhere);
-      double least = 1e300, most = 0.;
-      for (unsigned int k = 0; k < held.fault().slave_nodes.size(); ++k)
-        {
-          const Tensor<1, 2> t = held.traction(k);
-          const Point<2>     x = held.fault().slave_surface.points[k];
-          const double       tau =
-            std::abs(t * Tensor<1, 2>({-x[1], x[0]})) / x.norm();
-          least = std::min(least, tau);
-          most  = std::max(most, tau);
-        }
-      std::cout << (of_triangles ? "triangles" : "quadrilaterals")
-                << ": spread " << most / least - 1. << ", mean off by "
-                << 0.5 * (least + most) / TurnedRings::exact_traction() - 1.
-                << '\n';
-      EXPECT_LT(most / least - 1., of_triangles ? 1e-2 : 4e-4);
-      EXPECT_NEAR(0.5 * (least + most) / TurnedRings::exact_traction(),
-                  1.,
-                  0.02);
-    }
+    for (const unsigned int refinements : {0, 2})
+      {
+        const unsigned int    n = 80 >> refinements;
+        const ShapedBodies<2> rings =
+          two_rings(radii, n, n / 4 * 3, 16 >> refinements, of_triangles);
+        TurnedRings held(round_rings(rings, radii, refinements),
+                         rings.topology);
+        held.solve(1e-12, everywhere);
+        double least = 1e300, most = 0.;
+        for (unsigned int k = 0; k < held.fault().slave_nodes.size(); ++k)
+          {
+            const Point<2> x = held.fault().slave_surface.points[k];
+            const double   tau =
+              std::abs(held.traction(k) * Tensor<1, 2>({-x[1], x[0]})) /
+              x.norm();
+            least = std::min(least, tau);
+            most  = std::max(most, tau);
+          }
+        const double mean =
+          0.5 * (least + most) / TurnedRings::exact_traction();
+        std::cout << (of_triangles ? "triangles" : "quadrilaterals")
+                  << ", refined " << refinements << " times: spread "
+                  << most / least - 1. << ", mean off by " << mean - 1. << '\n';
+        EXPECT_LT(most / least - 1., refinements == 0 ? 4e-4 : 0.03);
+        EXPECT_NEAR(mean, 1., 0.01);
+      }
 }
 
 
@@ -374,7 +418,7 @@ TEST(CurvedFault, OrdersOfAWeldedWave)
         };
         EXPECT_GT(order(&Errors::displacement), 1.9);
         EXPECT_GT(order(&Errors::energy), 1.5);
-        EXPECT_GT(order(&Errors::traction), 1.);
+        EXPECT_GT(order(&Errors::traction), 0.99);
         EXPECT_LT(errors[1].traction, c.most_traction);
       }
 }
@@ -423,7 +467,7 @@ TEST(CurvedFault, IterationsAreThoseOfALevelFault)
           std::cout << (of_triangles ? "triangles" : "quadrilaterals") << ", "
                     << i + 1 << " refinements: level " << of_level[i]
                     << ", curved " << of_wave[i] << " iterations\n";
-          EXPECT_LE(of_wave[i], of_level[i] + 1);
+          EXPECT_LE(of_wave[i], of_level[i] + (of_triangles ? 2 : 1));
         }
       EXPECT_LE(of_wave[4], of_wave[2] + 1);
     }

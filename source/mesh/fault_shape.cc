@@ -6,12 +6,12 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/fault_shape.h>
 #include <stickslip/mesh/grouped_cells.h>
-#include <stickslip/parameters/number_range.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
+#include <sstream>
 
 namespace StickSlip
 {
@@ -81,7 +81,7 @@ namespace StickSlip
             const Point<dim> before = result;
             for (const auto &shape : shapes)
               result = shape->place(result);
-            // What is left is rounding when steps do not get shorter.
+            // Steps that do not get shorter are rounding.
             const double step = result.distance(before);
             if (step == 0. || step >= moved)
               break;
@@ -168,6 +168,18 @@ namespace StickSlip
 
 
 
+    /** Three digits, for messages. */
+    std::string
+    roughly(const double x)
+    {
+      std::ostringstream out;
+      out.precision(3);
+      out << x;
+      return out.str();
+    }
+
+
+
     double
     volume(const std::array<Tensor<1, 2>, 2> &edges)
     {
@@ -250,10 +262,10 @@ namespace StickSlip
                   throw InputError(
                     "The vertex at " + position_text(position) +
                     " on the fault '" + topology.faults()[f].name + "' is " +
-                    shortest_form(distance) +
+                    roughly(distance) +
                     " m off its 'Shape', and its "
                     "smallest face is " +
-                    shortest_form(size) +
+                    roughly(size) +
                     " m long; it must be closer than a tenth of that.");
                 position = place;
               }

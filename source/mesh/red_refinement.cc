@@ -80,7 +80,7 @@ namespace StickSlip
 
       std::vector<Point<3>> vertices;
 
-      /** Where vertices are on straight edges. */
+      /** Positions with all new vertices in the middle of edges. */
       std::vector<Point<3>> straight;
       std::vector<Edge>     parents;
 

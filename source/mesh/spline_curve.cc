@@ -40,7 +40,7 @@ namespace StickSlip
 
 
 
-    /** The same with below[0] in the last column and the last entry of above in
+    /** Solve it with below[0] in the last column and the last entry of above in
      * the first one, by the formula of Sherman and Morrison. */
     Vectors
     solve_cyclic(const std::vector<double> &below,
@@ -79,7 +79,7 @@ namespace StickSlip
         return Vectors(2);
       if (n == 2)
         return Vectors(3, 2. * (slope[1] - slope[0]) / (h[0] + h[1]));
-      // Those at the ends follow from their neighbours and are eliminated.
+      // Values at the ends follow from their neighbours and are eliminated.
       std::vector<double> below(n - 1), diagonal(n - 1), above(n - 1);
       Vectors             rhs(n - 1);
       for (unsigned int i = 0; i + 1 < n; ++i)

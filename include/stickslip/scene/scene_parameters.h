@@ -57,7 +57,7 @@ namespace StickSlip
 
     std::vector<FaultParameters> faults;
 
-    /** Where the faults above are, in the same order. */
+    /** Places of the faults above, in the same order. */
     std::vector<FaultGeometry> fault_geometries;
 
     /** The bodies and faults above, in the same order. */
