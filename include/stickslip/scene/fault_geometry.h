@@ -18,7 +18,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * What the scene says of where a fault is, beside mesh files or thicknesses
+   * The place of a fault as the scene says it, beside mesh files or thicknesses
    * of bodies.
    */
   struct FaultGeometry
