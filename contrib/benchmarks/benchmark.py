@@ -28,6 +28,7 @@ SECTIONS = {
     for section in (
         comparison,
         iterations.Levels,
+        iterations.Curved,
         iterations.Bodies,
         kernels.Costs,
         kernels.Kernels,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Iterations of TNNMG over refinement levels and over numbers of bodies."""
+"""Iterations of TNNMG over refinement levels, on level and on curved faults, and
+over numbers of bodies."""
 
 import pathlib
 
@@ -72,20 +73,22 @@ def state_table(records, first_title, first_value):
 
 class Levels:
     SECTION = "levels"
+    MESHES = scenes.LEVELS
+    TITLE = "cells of one size"
 
-    @staticmethod
-    def measure(quick, log):
+    @classmethod
+    def measure(cls, quick, log):
         records = []
-        for mesh in scenes.LEVELS[: 3 if quick else None]:
-            measure_states(Levels.SECTION, mesh, STATES, records)
+        for mesh in cls.MESHES[: 3 if quick else None]:
+            measure_states(cls.SECTION, mesh, STATES, records)
             log(f"{mesh.name} measured")
         return records, None
 
-    @staticmethod
-    def text(records, _):
+    @classmethod
+    def text(cls, records, _):
         return "\n".join(
             (
-                "Iterations / V-cycles, cells of one size:\n",
+                f"Iterations / V-cycles, {cls.TITLE}:\n",
                 *state_tables(
                     records,
                     "refinements",
@@ -93,6 +96,12 @@ class Levels:
                 ),
             )
         )
+
+
+class Curved(Levels):
+    SECTION = "curved"
+    MESHES = scenes.CURVED
+    TITLE = "curved fault, cells of one size"
 
 
 class Bodies:

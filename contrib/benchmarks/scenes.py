@@ -97,6 +97,19 @@ LEVELS = [
 ]
 
 
+# The same with a fault of two waves.
+CURVED = [
+    dataclasses.replace(
+        mesh,
+        name=mesh.name.replace("uniform", "curved"),
+        description="curved fault",
+        overrides=mesh.overrides
+        | {"Faults/fault/Elevation": "0.125*sin(2*pi*x/2.5)"},
+    )
+    for mesh in LEVELS
+]
+
+
 def count_nodes(cells, uniform, passes, sides):
     """Vertices of the mesh of a body: rows of cells are refined from a fault
     at one or two sides, neighbouring rows differ by one level at most."""

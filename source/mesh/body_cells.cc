@@ -32,7 +32,7 @@ namespace StickSlip
 
 
   template <int dim>
-  std::shared_ptr<const Triangulation<dim>>
+  std::shared_ptr<Triangulation<dim>>
   BodyCells<dim>::triangulation() const
   {
     Assert(!cells.empty(), ExcMessage("A body has no cells."));

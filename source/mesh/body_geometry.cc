@@ -49,9 +49,22 @@ namespace StickSlip
 
   template <int dim>
   double
+  BodyGeometry<dim>::lower_at(const Point<dim> &point) const
+  {
+    return lower_elevation ? lower_elevation(point) : base;
+  }
+
+
+
+  template <int dim>
+  double
   BodyGeometry<dim>::thickness_at(const Point<dim> &point) const
   {
+    if (upper_elevation)
+      return upper_elevation(point) - lower_at(point);
     double result = thickness;
+    if (lower_elevation)
+      result -= lower_elevation(point) - base;
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       result += upper_slope[axis] * (point[axis] - lateral_lower[axis]);
     return result;
@@ -61,11 +74,23 @@ namespace StickSlip
 
   template <int dim>
   Point<dim>
-  BodyGeometry<dim>::sloped(const Point<dim> &point) const
+  BodyGeometry<dim>::placed(const Point<dim> &point) const
   {
     Point<dim> result = point;
-    result[dim - 1] =
-      base + (point[dim - 1] - base) * thickness_at(point) / thickness;
+    result[dim - 1]   = lower_at(point) +
+                      (point[dim - 1] - base) * thickness_at(point) / thickness;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BodyGeometry<dim>::in_brick(const Point<dim> &position) const
+  {
+    Point<dim> result = position;
+    result[dim - 1]   = base + (position[dim - 1] - lower_at(position)) *
+                               thickness / thickness_at(position);
     return result;
   }
 
@@ -139,14 +164,16 @@ namespace StickSlip
                thickness,
                NumberRange().above(0),
                "Extent along the vertical axis, in m; where the upper side "
-               "slopes, that at the lower lateral corner.");
+               "slopes, that at the lower lateral corner. The elevation of a "
+               "fault follows from those below it, unless it has one of its "
+               "own.");
     add_numbers(prm,
                 "Upper slope",
                 upper_slope,
                 NumberRange(),
                 "By how much the upper side rises along each horizontal axis, "
-                "in m/m: a wedge. The highest body only, since faults are "
-                "level.");
+                "in m/m: a wedge. The highest body only; faults have an "
+                "'Elevation'.");
     add_switch(prm,
                "Rigid",
                rigid,

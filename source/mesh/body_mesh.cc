@@ -8,6 +8,7 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/fault_shape.h>
 
 #include <algorithm>
 #include <map>
@@ -160,6 +161,8 @@ namespace StickSlip
           refine_at(sides_at_faults, body.refine_where, *refined);
       }
     mesh = refined;
+    if (has_shapes(*mesh))
+      refuse_inverted_cells(*mesh);
     distribute_dofs();
   }
 

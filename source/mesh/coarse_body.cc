@@ -3,11 +3,77 @@
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold.h>
 
 #include <stickslip/mesh/coarse_body.h>
+#include <stickslip/mesh/fault_shape.h>
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** Means are taken in the brick of which a body is made. */
+    template <int dim>
+    class BlendedBrick : public ChartManifold<dim>
+    {
+    public:
+      explicit BlendedBrick(const BodyGeometry<dim> &geometry)
+        : geometry(geometry)
+      {}
+
+      virtual std::unique_ptr<Manifold<dim>>
+      clone() const override
+      {
+        return std::make_unique<BlendedBrick<dim>>(geometry);
+      }
+
+      virtual Point<dim>
+      pull_back(const Point<dim> &position) const override
+      {
+        return geometry.in_brick(position);
+      }
+
+      virtual Point<dim>
+      push_forward(const Point<dim> &point) const override
+      {
+        return geometry.placed(point);
+      }
+
+    private:
+      BodyGeometry<dim> geometry;
+    };
+
+
+
+    /** Vertices on sides with an elevation are there exactly, those inside
+     * follow in proportion. */
+    template <int dim>
+    void
+    bend(const BodyGeometry<dim> &geometry, Triangulation<dim> &cells)
+    {
+      constexpr types::manifold_id inside = 2 * dim;
+      cells.set_all_manifold_ids(inside);
+      cells.set_manifold(inside, BlendedBrick<dim>(geometry));
+      SideShapes<dim> shapes;
+      if (geometry.lower_elevation)
+        shapes[2 * (dim - 1)] =
+          std::make_shared<const GraphShape<dim>>(dim - 1,
+                                                  geometry.lower_elevation);
+      if (geometry.upper_elevation)
+        shapes[2 * (dim - 1) + 1] =
+          std::make_shared<const GraphShape<dim>>(dim - 1,
+                                                  geometry.upper_elevation);
+      for (const auto &[side, shape] : shapes)
+        for (const auto &face : cells.active_face_iterators())
+          if (face->at_boundary() && face->boundary_id() == side)
+            for (const auto v : face->vertex_indices())
+              face->vertex(v) = shape->place(face->vertex(v));
+      set_shapes(cells, shapes);
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::map<types::boundary_id, std::string>
   brick_side_names()
@@ -39,10 +105,12 @@ namespace StickSlip
       geometry.lower_corner(),
       geometry.upper_corner(),
       /*colorize=*/true);
-    if (geometry.is_sloped())
+    if (geometry.is_sloped() || geometry.has_elevation())
       GridTools::transform(
-        [&geometry](const Point<dim> &point) { return geometry.sloped(point); },
+        [&geometry](const Point<dim> &point) { return geometry.placed(point); },
         *cells);
+    if (geometry.has_elevation())
+      bend(geometry, *cells);
 
     CoarseBody<dim> body;
     body.cells               = cells;

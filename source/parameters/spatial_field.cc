@@ -7,8 +7,10 @@
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/spatial_field.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <regex>
 
 namespace StickSlip
 {
@@ -104,6 +106,21 @@ namespace StickSlip
     return table               ? keyword + " " + table_file :
            !expression.empty() ? expression :
                                  shortest_form(number);
+  }
+
+
+
+  bool
+  SpatialField::depends_on(const unsigned int axis) const
+  {
+    if (table)
+      {
+        const auto axes = table->axes();
+        return std::find(axes.begin(), axes.end(), axis) != axes.end();
+      }
+    return std::regex_search(expression,
+                             std::regex(std::string("\\b") + "xyz"[axis] +
+                                        "\\b"));
   }
 
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
-#include <stickslip/mesh/body_mesh.h>
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/number_range.h>
@@ -10,6 +9,7 @@
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/side_points.h>
+#include <stickslip/scene/thickness_checks.h>
 
 #include <algorithm>
 #include <map>
@@ -94,34 +94,6 @@ namespace StickSlip
 
 
 
-    /** A wedge must be a body everywhere, and fit to its image if it is
-     * periodic. */
-    template <int dim>
-    void
-    check_slope(const BodyParameters<dim> &body)
-    {
-      const BodyGeometry<dim> &geometry = body.geometry;
-      const std::string        path     = "Bodies/" + body.name + "/";
-      // Linear in each coordinate: smallest at a corner.
-      Point<dim> lowest = geometry.lower_corner();
-      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-        {
-          if (geometry.upper_slope[axis] < 0)
-            lowest[axis] = geometry.lateral_upper[axis];
-          if (geometry.periodic[axis] && geometry.upper_slope[axis] != 0)
-            throw InputError(
-              naming(path + "Upper slope", geometry.upper_slope[axis]) +
-              " along " + "xy"[axis] + ": must be 0, since '" +
-              periodic_entry(axis) + "' = 'true'.");
-        }
-      if (!(geometry.thickness_at(lowest) > 0))
-        throw InputError("'" + path + "Upper slope': leaves a thickness of " +
-                         shortest_form(geometry.thickness_at(lowest)) +
-                         " m at the thin end; it must be greater than 0.");
-    }
-
-
-
     /** Two bodies on the two sides of a fault. */
     template <int dim>
     void
@@ -179,22 +151,7 @@ namespace StickSlip
                      body.geometry.lateral_upper[axis]) +
               " along " + "xy"[axis] + ".");
 
-      for (unsigned int i = 0; i < bodies.size(); ++i)
-        {
-          const BodyGeometry<dim> &geometry = bodies[i].geometry;
-          const std::string        path     = "Bodies/" + bodies[i].name + "/";
-          if (geometry.is_sloped() &&
-              scene.topology.is_at_fault(i, BodyMesh<dim>::upper_side))
-            throw InputError("'" + path +
-                             "Upper slope': must be 0, since the "
-                             "fault above is level; only the highest body may "
-                             "have a slope.");
-          if (geometry.is_sloped() && geometry.rigid)
-            throw InputError("'" + path +
-                             "Upper slope': must be 0 for a body "
-                             "with 'Rigid' = 'true'.");
-          check_slope(bodies[i]);
-        }
+      check_thicknesses(scene);
 
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {

@@ -93,6 +93,7 @@ namespace StickSlip
         "body. With blocks or mesh files, any faults. Each has a "
         "subsection of its name.");
       scene.mesh_entries.faults.resize(scene.faults.size());
+      scene.fault_geometries.resize(scene.faults.size());
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
           prm.enter_subsection(scene.faults[f].name);
@@ -116,6 +117,8 @@ namespace StickSlip
             "not match, and those of blocks, are given as '<body> <side>', several of them "
             "joined by a plus sign: 'lower top, left bottom + right "
             "bottom'.");
+          scene.fault_geometries[f].section = scene.faults[f].section();
+          scene.fault_geometries[f].add_parameters(prm);
           prm.leave_subsection();
         }
       prm.leave_subsection();
@@ -315,6 +318,29 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** A function that has the same values at both ends of a periodic body. */
+    template <int dim>
+    std::function<double(const Point<dim> &)>
+    periodic_function(const std::function<double(const Point<dim> &)> &function,
+                      const BodyGeometry<dim>                         &body)
+    {
+      if (body.period().norm() == 0.)
+        return function;
+      return [function, period = body.period(), lower = body.lateral_lower](
+               Point<dim> point) {
+        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+          if (point[axis] > lower[axis] + (1. - 1e-10) * period[axis] &&
+              period[axis] > 0.)
+            point[axis] = lower[axis];
+        return function(point);
+      };
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   complete_geometry(SceneParameters<dim> &scene)
@@ -326,6 +352,16 @@ namespace StickSlip
                                       scene.bodies[i - 1].geometry.thickness;
     for (BodyParameters<dim> &body : scene.bodies)
       body.geometry.periodic = scene.periodic;
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+      {
+        if (scene.fault_geometries[f].is_level())
+          continue;
+        const auto [below, above] = scene.below_and_above(f);
+        BodyGeometry<dim> &lower  = scene.bodies[below[0].body].geometry;
+        BodyGeometry<dim> &upper  = scene.bodies[above[0].body].geometry;
+        lower.upper_elevation = upper.lower_elevation = periodic_function<dim>(
+          scene.fault_geometries[f].template elevation_function<dim>(), lower);
+      }
   }
 
 

@@ -29,22 +29,33 @@ namespace StickSlip
   SceneParameters<dim>::coarse_bodies() const
   {
     std::vector<CoarseBody<dim>> result;
+    if (mesh == nullptr)
+      {
+        for (const BodyParameters<dim> &body : bodies)
+          result.push_back(coarse_brick(body.geometry));
+        return result;
+      }
+    std::vector<std::shared_ptr<const FaultShape<dim>>> shapes;
+    for (unsigned int f = 0; f < fault_geometries.size(); ++f)
+      shapes.push_back(
+        fault_geometries[f].make_shape(mesh->bodies, topology.faults()[f]));
+    std::vector<BodyCells<dim>> body_cells = mesh->bodies;
+    move_onto_shapes(body_cells, topology, shapes);
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      if (mesh == nullptr)
-        result.push_back(coarse_brick(bodies[b].geometry));
-      else
-        {
-          result.emplace_back();
-          CoarseBody<dim>         &body     = result.back();
-          const BodyGeometry<dim> &geometry = bodies[b].geometry;
-          body.cells                        = mesh->bodies[b].triangulation();
-          for (const auto &coarser : coarser_meshes)
-            body.coarser_cells.push_back(coarser->bodies[b].triangulation());
-          body.side_names          = mesh->bodies[b].side_names;
-          body.uniform_refinements = geometry.uniform_refinements;
-          body.refinement_passes   = geometry.refinement_passes;
-          body.refine_where        = geometry.where_to_refine();
-        }
+      {
+        result.emplace_back();
+        CoarseBody<dim>         &body     = result.back();
+        const BodyGeometry<dim> &geometry = bodies[b].geometry;
+        const auto               cells    = body_cells[b].triangulation();
+        set_shapes(*cells, shapes_of_body(b, topology, shapes));
+        body.cells               = cells;
+        for (const auto &coarser : coarser_meshes)
+          body.coarser_cells.push_back(coarser->bodies[b].triangulation());
+        body.side_names          = mesh->bodies[b].side_names;
+        body.uniform_refinements = geometry.uniform_refinements;
+        body.refinement_passes   = geometry.refinement_passes;
+        body.refine_where        = geometry.where_to_refine();
+      }
     return result;
   }
 

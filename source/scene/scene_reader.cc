@@ -62,6 +62,7 @@ namespace StickSlip
         {"Thickness", stack},
         {"Upper slope", stack},
         {"Rigid", stack},
+        {"Elevation", stack},
         {"Periodic along x", stack},
         {"Periodic along y", stack},
         {"Coarse cells", stack_or_blocks},
@@ -72,6 +73,8 @@ namespace StickSlip
         {"Top polyline", blocks},
         {"Extent along y", blocks},
         {"Between", blocks_or_files},
+        {"Shape", blocks_or_files},
+        {"Shape axis", blocks_or_files},
         {"Coarser mesh files", files},
         {"Length unit", files},
         {"Mesh group", files}};

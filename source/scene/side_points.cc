@@ -63,7 +63,7 @@ namespace StickSlip
       lower[axis] = upper[axis];
     std::vector<Point<dim>> points = brick_points(lower, upper, axis);
     for (Point<dim> &point : points)
-      point = body->geometry.sloped(point);
+      point = body->geometry.placed(point);
     return points;
   }
 
@@ -79,7 +79,7 @@ namespace StickSlip
     std::vector<Point<dim>>  points =
       brick_points(body.lower_corner(), body.upper_corner(), dim);
     for (Point<dim> &point : points)
-      point = body.sloped(point);
+      point = body.placed(point);
     return points;
   }
 
@@ -120,6 +120,9 @@ namespace StickSlip
             }
           points.push_back(point);
         }
+      if (below.upper_elevation)
+        for (Point<dim> &point : points)
+          point[dim - 1] = below.upper_elevation(point);
       return points;
     }
   } // namespace

@@ -21,10 +21,11 @@ namespace StickSlip
     {
       static const QIterated<1> quadrature(QGauss<1>(2), 200);
       const double              thickness = geometry.thickness_at(point);
+      const double              base      = geometry.lower_at(point);
       double                    mean      = 0.;
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          point[dim - 1] = geometry.base + thickness * quadrature.point(q)[0];
+          point[dim - 1] = base + thickness * quadrature.point(q)[0];
           mean += density(point) * quadrature.weight(q);
         }
       return mean;

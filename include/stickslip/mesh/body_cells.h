@@ -39,7 +39,7 @@ namespace StickSlip
 
     /** The mesh of these cells. Throws an exception of deal.II's if they cannot
      * be one. */
-    std::shared_ptr<const Triangulation<dim>>
+    std::shared_ptr<Triangulation<dim>>
     triangulation() const;
   };
 } // namespace StickSlip

@@ -20,8 +20,9 @@ namespace StickSlip
   /**
    * A brick-shaped body and its mesh: coarse cells, refined all over, then
    * passes that each refine every cell touching a fault. The last axis is
-   * vertical; bodies are stacked along it. The upper side of the highest body
-   * may slope, which makes it a wedge.
+   * vertical; bodies are stacked along it. The lower and the upper side may
+   * have any elevation, or the upper one a slope, which makes a wedge; what is
+   * between them is moved in proportion.
    *
    * A rigid body is one cell, whatever its mesh is said to be.
    */
@@ -37,7 +38,8 @@ namespace StickSlip
     std::array<bool, dim - 1> periodic;
 
     /** Extent along the vertical axis, m; where the upper side slopes, that
-     * at the lower lateral corner. */
+     * at the lower lateral corner; where sides have an elevation, that of the
+     * brick of which the body is made. */
     double thickness = 1.;
 
     /** Rise of the upper side along each horizontal axis, without unit. */
@@ -48,6 +50,10 @@ namespace StickSlip
 
     /** Elevation of the lower side, m; follows from the bodies below. */
     double base = 0.;
+
+    /** Elevation of the lower and of the upper side as functions of the
+     * horizontal coordinates, m; empty: as said above. */
+    std::function<double(const Point<dim> &)> lower_elevation, upper_elevation;
 
     /** Coarse cells along each axis. */
     std::array<unsigned int, dim> coarse_cells;
@@ -73,22 +79,38 @@ namespace StickSlip
     Point<dim>
     upper_corner() const;
 
-    /** The thickness at the horizontal coordinates of a point, m. */
+    /** Elevation of the lower side at the horizontal coordinates of a point,
+     * m. */
+    double
+    lower_at(const Point<dim> &point) const;
+
+    /** The thickness there, m. */
     double
     thickness_at(const Point<dim> &point) const;
 
     /** Position of a point of the brick from lower_corner() to upper_corner()
-     * when the upper side slopes: the thickness changes in proportion. */
+     * between sides that are not level: heights change in proportion. */
     Point<dim>
-    sloped(const Point<dim> &point) const;
+    placed(const Point<dim> &point) const;
+
+    /** The point of the brick that is placed at a position. */
+    Point<dim>
+    in_brick(const Point<dim> &position) const;
 
     /** The point with horizontal coordinates beyond the sides moved to them. */
     Point<dim>
     within_sides(const Point<dim> &point) const;
 
-    /** True if the upper side is not level. */
+    /** True if the upper side has a slope. */
     bool
     is_sloped() const;
+
+    /** True if a side has an elevation. */
+    bool
+    has_elevation() const
+    {
+      return lower_elevation || upper_elevation;
+    }
 
     /** Length after which fields repeat along each horizontal axis, m; zero:
      * the body ends there. */

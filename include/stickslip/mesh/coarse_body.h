@@ -27,7 +27,8 @@ namespace StickSlip
   struct CoarseBody
   {
     /** Cells of one shape, none of them refined; boundary indicators are those
-     * of the sides. */
+     * of the sides. Their manifolds say where refinement puts vertices, see
+     * set_shapes(). */
     std::shared_ptr<const Triangulation<dim>> cells;
 
     /** Coarser cells of the same body, whose sides have the same indicators,
@@ -66,7 +67,9 @@ namespace StickSlip
   brick_side_names();
 
   /** The coarse cells of a brick. Sides have the indicators of deal.II's
-   * bricks: 2 d and 2 d + 1 are the lower and the upper one across axis d. */
+   * bricks: 2 d and 2 d + 1 are the lower and the upper one across axis d.
+   * Sides with an elevation have it on all levels of refinement, and what is
+   * inside follows. */
   template <int dim>
   CoarseBody<dim>
   coarse_brick(const BodyGeometry<dim> &geometry);

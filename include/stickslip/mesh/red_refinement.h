@@ -19,6 +19,9 @@ namespace StickSlip
    * four at the corners, and four around the shortest diagonal of the
    * octahedron between these. That choice keeps the shape of the cells; deal.II
    * always takes the same diagonal, with which they degenerate.
+   *
+   * New vertices are in the middle of edges, or on the shape that these have,
+   * see set_shapes(). Throws InputError if a cell is inverted by that.
    */
   struct RedRefinement
   {

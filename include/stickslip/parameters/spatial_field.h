@@ -56,6 +56,11 @@ namespace StickSlip
       return !table && expression.empty();
     }
 
+    /** True if the table has this axis, or the expression names its
+     * coordinate. */
+    bool
+    depends_on(const unsigned int axis) const;
+
     /** The number; only where the field is constant. */
     double
     constant() const;

@@ -14,6 +14,7 @@
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/scene/block_entries.h>
+#include <stickslip/scene/fault_geometry.h>
 #include <stickslip/scene/mesh_entries.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/tnnmg/solver_parameters.h>
@@ -56,6 +57,9 @@ namespace StickSlip
 
     std::vector<FaultParameters> faults;
 
+    /** Places of the faults above, in the same order. */
+    std::vector<FaultGeometry> fault_geometries;
+
     /** The bodies and faults above, in the same order. */
     FaultTopology topology;
 
@@ -93,7 +97,8 @@ namespace StickSlip
     Tensor<1, dim>
     gravity_vector() const;
 
-    /** The cells of all bodies before any refinement. */
+    /** The cells of all bodies before any refinement. Throws InputError if the
+     * shape of a fault does not fit to them. */
     std::vector<CoarseBody<dim>>
     coarse_bodies() const;
 
