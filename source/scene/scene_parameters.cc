@@ -42,6 +42,7 @@ namespace StickSlip
           body.uniform_refinements          = geometry.uniform_refinements;
           body.refinement_passes            = geometry.refinement_passes;
           body.refine_where                 = geometry.where_to_refine();
+          body.rigid                        = geometry.rigid;
         }
     return result;
   }

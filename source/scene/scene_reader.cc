@@ -116,13 +116,13 @@ namespace StickSlip
                                                       "Upper lateral corner",
                                                       "Thickness",
                                                       "Upper slope",
-                                                      "Rigid",
                                                       "Coarse cells",
                                                       "Periodic along x",
                                                       "Periodic along y"};
       static const std::set<std::string> of_meshes = {"Length unit",
                                                       "Mesh group",
-                                                      "Between"};
+                                                      "Between",
+                                                      "Strike"};
       const auto declared = find_declared(entries, assignment);
       if ((has_mesh ? of_bricks : of_meshes).count(assignment.entry) > 0 &&
           declared != entries.end() &&
@@ -281,6 +281,10 @@ namespace StickSlip
                          join_names(names) + ".");
       }
     condition.side = side->first;
+
+    // Entries depend on the axes.
+    if (value_of("Boundary conditions/" + name + "/Axes") == "side")
+      condition.axes = BoundaryAxes::side;
 
     if (scene.topology.is_at_fault(number, condition.side))
       throw InputError(context +
