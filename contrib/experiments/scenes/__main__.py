@@ -15,7 +15,7 @@ import sys
 
 from common import figures, page, programs, store
 
-from . import crack, large_slip, nine_bodies, slow_slip, weakening_patch
+from . import crack, curved_strike_slip, large_slip, nine_bodies, slow_slip, weakening_patch
 
 PAGE = programs.PROJECT / "doc/scenes.md"
 SECTIONS = {
@@ -24,6 +24,7 @@ SECTIONS = {
     "large_slip": large_slip.outcome,
     "nine_body_stack": nine_bodies.outcome,
     "crack": crack.outcome,
+    "curved_strike_slip": curved_strike_slip.outcome,
 }
 
 
