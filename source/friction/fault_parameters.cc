@@ -33,6 +33,15 @@ namespace StickSlip
                "Whether the normal stress changes by as much as the contact "
                "pressure has changed since the start; it stays as it is "
                "otherwise.");
+    background_stress.add_parameters(
+      prm,
+      "Background stress",
+      dim,
+      "A stress S, in Pa, tension positive, that is there before the bodies "
+      "deform and that they do not carry; it is resolved on the fault with the "
+      "normal n and the tangents t of each node. -n.S n is added to what "
+      "'Normal stress' says, and t.S n to the shear traction of the bodies. "
+      "Empty: none.");
 
     prm.enter_subsection("Regions");
     std::vector<std::string> names;

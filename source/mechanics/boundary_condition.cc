@@ -20,12 +20,43 @@ namespace StickSlip
 
 
   template <int dim>
+  std::string
+  BoundaryCondition<dim>::component_name(const unsigned int component) const
+  {
+    if (axes == BoundaryAxes::space)
+      return std::string(1, "xyz"[component]);
+    return component == dim - 1 ? "normal" :
+           dim == 2             ? "tangential" :
+           component == 0       ? "first tangential" :
+                                  "second tangential";
+  }
+
+
+
+  template <int dim>
   void
   BoundaryCondition<dim>::add_parameters(ParameterHandler &prm)
   {
+    add_choice(prm,
+               "Axes",
+               axes,
+               {{BoundaryAxes::space, "space"}, {BoundaryAxes::side, "side"}},
+               "The directions of conditions and values: x, y (z) (space), or "
+               "those of the side (side), which must be plane: its outward "
+               "normal n ('normal condition', 'normal value'), and in two "
+               "dimensions the tangent (n_y, -n_x) ('tangential condition'); "
+               "in three the first tangent is the direction in the side next "
+               "to x (to y where n is within 15 degrees of x), the second one "
+               "n times the first.");
     for (unsigned int component = 0; component < dim; ++component)
       {
-        const std::string axis(1, "xyz"[component]);
+        const std::string axis = component_name(component);
+        const std::string direction =
+          axes == BoundaryAxes::space ?
+            "direction " + axis :
+            axis +
+              (component + 1 < dim ? " direction" : " direction outwards") +
+              ", with 'Axes = side'";
         add_choice(prm,
                    axis + " condition",
                    type[component],
@@ -33,16 +64,15 @@ namespace StickSlip
                     {BoundaryType::fixed, "fixed"},
                     {BoundaryType::velocity, "velocity"},
                     {BoundaryType::traction, "traction"}},
-                   "What holds on the side in direction " + axis +
+                   "What holds on the side in " + direction +
                      ": no traction (free), no displacement (fixed), a given "
                      "velocity, or a given traction.");
         add_text(prm,
                  axis + " value",
                  expression[component],
-                 "The given velocity, in m/s, or traction, in Pa, in "
-                 "direction " +
-                   axis + ": an expression in x, y" + (dim == 3 ? ", z" : "") +
-                   " (in m) and t (in s).");
+                 "The given velocity, in m/s, or traction, in Pa, in " +
+                   direction + ": an expression in x, y" +
+                   (dim == 3 ? ", z" : "") + " (in m) and t (in s).");
       }
     add_number(prm,
                "Ramp length",

@@ -87,10 +87,11 @@ namespace StickSlip
           {
             const FaultSurface<dim> surface = body.surface(condition.side);
             if (!is_plane(surface))
-              throw InputError("The side " + std::to_string(condition.side) +
-                               " of the body '" + condition.body +
-                               "' is not plane: conditions on it cannot be "
-                               "along the axes of the side.");
+              throw InputError("'Boundary conditions/" + condition.body + " " +
+                               condition.side_name +
+                               "/Axes' = 'side': the side is not plane; "
+                               "conditions on a curved side are along the axes "
+                               "of space only.");
             side.axes = axes_of_side(surface.normal);
           }
         const auto add_node = [&](const types::global_dof_index dof,

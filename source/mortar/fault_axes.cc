@@ -6,6 +6,7 @@
 #include <stickslip/mortar/fault_displacement.h>
 #include <stickslip/mortar/nodal_normals.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace StickSlip
@@ -20,14 +21,24 @@ namespace StickSlip
 
 
 
+    /** True if a reference axis is too near to a normal. */
+    bool
+    is_normal_to_fault(const Tensor<1, 3> &reference, const Tensor<1, 3> &n)
+    {
+      return std::abs(reference * n) >
+             reference.norm() *
+               std::cos(FaultAxes<3>::least_angle * numbers::PI / 180.);
+    }
+
+
+
     Tensor<2, 3>
     axes_at(const Tensor<1, 3> &n, const Tensor<1, 3> &reference)
     {
-      if (std::abs(reference * n) >
-          reference.norm() *
-            std::cos(FaultAxes<3>::least_angle * numbers::PI / 180.))
-        throw InputError("its axis of reference for the directions of slip is "
-                         "nearly normal to it.");
+      if (is_normal_to_fault(reference, n))
+        throw InputError("the direction of the first component of slip is "
+                         "somewhere within 15 degrees of its normal; choose "
+                         "another one as 'Strike'.");
       Tensor<1, 3> first = reference - (reference * n) * n;
       first /= first.norm();
       const Tensor<1, 3> second = cross_product_3d(n, first);
@@ -39,6 +50,41 @@ namespace StickSlip
           axes[d][2] = n[d];
         }
       return axes;
+    }
+
+
+
+    Tensor<1, 2>
+    reference_axis(const Fault &, const std::vector<Tensor<1, 2>> &)
+    {
+      return FaultAxes<2>::first_axis();
+    }
+
+
+
+    Tensor<1, 3>
+    reference_axis(const Fault &fault, const std::vector<Tensor<1, 3>> &normals)
+    {
+      const Tensor<1, 3> strike(
+        {fault.strike[0], fault.strike[1], fault.strike[2]});
+      if (strike.norm() > 0.)
+        return strike / strike.norm();
+      const Tensor<1, 3> x = FaultAxes<3>::first_axis();
+      if (std::none_of(normals.begin(),
+                       normals.end(),
+                       [&x](const Tensor<1, 3> &n) {
+                         return is_normal_to_fault(x, n);
+                       }))
+        return x;
+      Tensor<1, 3> mean;
+      for (const Tensor<1, 3> &n : normals)
+        mean += n;
+      const Tensor<1, 3> horizontal({-mean[1], mean[0], 0.});
+      const double       length = horizontal.norm();
+      // Nothing is mean on a closed surface.
+      return length < 1e-3 * normals.size() ? x :
+             mean[0] < 0.                   ? -horizontal / length :
+                                              horizontal / length;
     }
   } // namespace
 
@@ -61,7 +107,8 @@ namespace StickSlip
     : normals(normals)
   {
     // Surfaces that are level have normals that are so to the last bit.
-    if (normals.size() == 1 && std::abs(normals[0][dim - 1]) == 1.)
+    if (normals.size() == 1 && std::abs(normals[0][dim - 1]) == 1. &&
+        reference == first_axis())
       return;
     for (const Tensor<1, dim> &n : normals)
       axes.push_back(axes_at(n, reference));
@@ -114,7 +161,8 @@ namespace StickSlip
             normal *= -1.;
         try
           {
-            result.emplace_back(normals);
+            result.emplace_back(normals,
+                                reference_axis(topology.faults()[f], normals));
           }
         catch (const InputError &error)
           {

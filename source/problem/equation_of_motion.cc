@@ -65,11 +65,15 @@ namespace StickSlip
   EquationOfMotion<dim>::load(const double time)
   {
     const bool has_gravity = gravity_load.size() > 0;
+    const bool on_faults   = fault_load.size() > 0;
     if (!has_gravity && !boundary.has_tractions())
-      return space.make_vector();
+      return on_faults ? fault_load : space.make_vector();
     NodalVector nodal = has_gravity ? gravity_load : space.make_nodal_vector();
     boundary.add_tractions(time, nodal);
-    return space.to_dual(nodal);
+    NodalVector dual = space.to_dual(nodal);
+    if (on_faults)
+      dual += fault_load;
+    return dual;
   }
 
 

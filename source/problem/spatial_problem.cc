@@ -12,13 +12,15 @@ namespace StickSlip
     BoundaryValues<dim>               &boundary_values,
     const Tensor<1, dim>              &gravity,
     const bool                         with_inertia,
-    const std::vector<SlipRates<dim>> &slip_rates)
+    const std::vector<SlipRates<dim>> &slip_rates,
+    const BackgroundStress<dim>       &background_stress)
     : ContactSpace<dim>(meshes, materials, boundary_values, slip_rates)
     , EquationOfMotion<dim>(*this,
                             materials,
                             boundary_values,
                             gravity,
                             with_inertia)
+    , background_stress(background_stress)
   {
     build_contact(this->make_nodal_vector());
   }
@@ -36,6 +38,10 @@ namespace StickSlip
     this->make_operator(this->jump_product(),
                         this->rotation_coupling(),
                         this->descriptions());
+    if (background_stress.is_needed())
+      this->set_fault_load(
+        background_stress.load(this->jump_basis(),
+                               this->descriptions().back().nodes));
   }
 
 

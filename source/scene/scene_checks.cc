@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/mechanics/node_constraint.h>
+#include <stickslip/mesh/body_mesh.h>
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/number_range.h>
@@ -164,6 +166,25 @@ namespace StickSlip
 
 
 
+    /** One of the bodies on the two sides of a fault must deform. */
+    template <int dim>
+    void
+    check_rigid_bodies(const SceneParameters<dim> &scene)
+    {
+      for (const Fault &fault : scene.topology.faults())
+        for (const BodySide &first : fault.sides[0])
+          for (const BodySide &second : fault.sides[1])
+            if (scene.bodies[first.body].geometry.rigid &&
+                scene.bodies[second.body].geometry.rigid)
+              throw InputError(
+                naming("Bodies/" + scene.bodies[second.body].name + "/Rigid",
+                       "true") +
+                ": on the two sides of the fault '" + fault.name +
+                "' at least one body must deform.");
+    }
+
+
+
     /** Tetrahedra can be refined as a whole only. */
     void
     check_refinement(const SceneParameters<3> &scene)
@@ -239,6 +260,7 @@ namespace StickSlip
             part.friction->check(part.select(points), part.section);
           if (fault.normal_stress_source == NormalStressSource::function)
             fault.normal_stress.values(points, fault.section());
+          fault.background_stress.values(points, fault.section());
         }
     }
 
@@ -290,7 +312,7 @@ namespace StickSlip
                            "'; one is enough, all of it moves with it.");
       for (unsigned int c = 0; c < dim; ++c)
         {
-          const std::string axis(1, "xyz"[c]);
+          const std::string axis = condition.component_name(c);
           if (condition.type[c] == BoundaryType::traction)
             throw InputError(naming(path + axis + " condition", "traction") +
                              ": must be fixed, velocity or free on a rigid "
@@ -318,8 +340,12 @@ namespace StickSlip
                           [](const auto &a, const auto &b) {
                             return a.geometry.base < b.geometry.base;
                           });
-      std::array<bool, dim> held;
-      held.fill(lowest.geometry.rigid);
+      NodeConstraint<dim> held;
+      for (const BodyParameters<dim> &body : scene.bodies)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (body.geometry.rigid &&
+              (scene.mesh != nullptr || body.name == lowest.name))
+            held.add(Point<dim>::unit_vector(c));
       for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
         for (const BodyParameters<dim> &body : scene.bodies)
           if (body.name == condition.body && body.geometry.rigid)
@@ -335,16 +361,22 @@ namespace StickSlip
                              "' is no outer side, since '" +
                              periodic_entry(normal_axis) +
                              "' = 'true' joins it to the opposite one.");
+          const Tensor<2, dim> directions = side_directions(scene, condition);
           for (unsigned int component = 0; component < dim; ++component)
             {
-              const std::string  axis(1, "xyz"[component]);
+              const std::string  axis = condition.component_name(component);
               const std::string &expression = condition.expression[component];
               const BoundaryType type       = condition.type[component];
 
               if ((scene.mesh != nullptr || condition.body == lowest.name) &&
                   (type == BoundaryType::fixed ||
                    type == BoundaryType::velocity))
-                held[component] = true;
+                {
+                  Tensor<1, dim> direction;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    direction[d] = directions[d][component];
+                  held.add(direction);
+                }
 
               if (type == BoundaryType::velocity ||
                   type == BoundaryType::traction)
@@ -364,7 +396,7 @@ namespace StickSlip
         }
 
       for (unsigned int component = 0; component < dim; ++component)
-        if (!held[component])
+        if (NodeConstraint<dim>(held).add(Point<dim>::unit_vector(component)))
           throw InputError(
             "'Boundary conditions/Sides': no side of " +
             (scene.mesh != nullptr ? "any body" :
@@ -386,8 +418,12 @@ namespace StickSlip
     check_output(scene.output, scene.time.inertia);
     if (scene.mesh == nullptr)
       check_bodies(scene);
-    else if constexpr (dim == 3)
-      check_refinement(scene);
+    else
+      {
+        check_rigid_bodies(scene);
+        if constexpr (dim == 3)
+          check_refinement(scene);
+      }
     check_materials(scene);
     check_faults(scene);
     check_doubling(scene);

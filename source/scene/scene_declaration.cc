@@ -119,6 +119,20 @@ namespace StickSlip
             "bottom'.");
           scene.fault_geometries[f].section = scene.faults[f].section();
           scene.fault_geometries[f].add_parameters(prm);
+          if (dim == 3)
+            add_numbers(
+              prm,
+              "Strike",
+              entries.strike,
+              NumberRange(),
+              "Direction of the first component of slip and traction "
+              "on a fault in mesh files, of any length: it is "
+              "projected onto the fault at each node, and must be at "
+              "least 15 degrees off its normal; the second component "
+              "is along normal times first. 0, 0, 0: the x axis, or, "
+              "where the fault comes within 15 degrees of being "
+              "normal to that, its mean horizontal direction, towards "
+              "positive y.");
           prm.leave_subsection();
         }
       prm.leave_subsection();
@@ -346,7 +360,11 @@ namespace StickSlip
   complete_geometry(SceneParameters<dim> &scene)
   {
     if (scene.mesh != nullptr)
-      return;
+      {
+        for (unsigned int f = 0; f < scene.faults.size(); ++f)
+          scene.topology.set_strike(f, scene.mesh_entries.faults[f].strike);
+        return;
+      }
     for (unsigned int i = 1; i < scene.bodies.size(); ++i)
       scene.bodies[i].geometry.base = scene.bodies[i - 1].geometry.base +
                                       scene.bodies[i - 1].geometry.thickness;

@@ -48,13 +48,14 @@ namespace StickSlip
         const BodyGeometry<dim> &geometry = bodies[b].geometry;
         const auto               cells    = body_cells[b].triangulation();
         set_shapes(*cells, shapes_of_body(b, topology, shapes));
-        body.cells               = cells;
+        body.cells = cells;
         for (const auto &coarser : coarser_meshes)
           body.coarser_cells.push_back(coarser->bodies[b].triangulation());
         body.side_names          = mesh->bodies[b].side_names;
         body.uniform_refinements = geometry.uniform_refinements;
         body.refinement_passes   = geometry.refinement_passes;
         body.refine_where        = geometry.where_to_refine();
+        body.rigid               = geometry.rigid;
       }
     return result;
   }

@@ -61,7 +61,6 @@ namespace StickSlip
         {"Upper lateral corner", stack},
         {"Thickness", stack},
         {"Upper slope", stack},
-        {"Rigid", stack},
         {"Elevation", stack},
         {"Periodic along x", stack},
         {"Periodic along y", stack},
@@ -75,6 +74,7 @@ namespace StickSlip
         {"Between", blocks_or_files},
         {"Shape", blocks_or_files},
         {"Shape axis", blocks_or_files},
+        {"Strike", blocks_or_files},
         {"Coarser mesh files", files},
         {"Length unit", files},
         {"Mesh group", files}};
@@ -200,6 +200,10 @@ namespace StickSlip
                          join_names(names) + ".");
       }
     condition.side = side->first;
+
+    // Entries depend on the axes.
+    if (value_of("Boundary conditions/" + name + "/Axes") == "side")
+      condition.axes = BoundaryAxes::side;
 
     if (scene.topology.is_at_fault(number, condition.side))
       throw InputError(context +

@@ -38,8 +38,12 @@ namespace StickSlip
       scene.faults[0].name = "FAULT";
       scene.faults[0].regions.resize(1);
       scene.faults[0].regions[0].name = "REGION";
-      scene.boundary_conditions.resize(1);
-      scene.boundary_conditions[0].body = "BODY";
+      // Entries depend on the axes.
+      scene.boundary_conditions.resize(2);
+      scene.boundary_conditions[0].body      = "BODY";
+      scene.boundary_conditions[1].body      = "BODY";
+      scene.boundary_conditions[1].side_name = "right";
+      scene.boundary_conditions[1].axes      = BoundaryAxes::side;
       return scene;
     }
 
@@ -52,7 +56,8 @@ namespace StickSlip
         {"BODY", "<body>"},
         {"FAULT", "<fault>"},
         {"REGION", "<region>"},
-        {"BODY left", "<body> <side>"}};
+        {"BODY left", "<body> <side>"},
+        {"BODY right", "<body> <side>"}};
 
       std::string joined;
       for (const std::string &name : sections)
@@ -123,6 +128,9 @@ namespace StickSlip
           continue; // The entries of all bodies are the same.
         if (entry.sections.size() > 3 && entry.name != "Where")
           continue; // Entries of a region are as in the fault.
+        if (entry.sections.size() > 1 && entry.sections[1] == "BODY right" &&
+            (entry.name == "Axes" || entry.name == "Ramp length"))
+          continue; // They are the same with all axes.
         const std::string section = displayed_section(entry.sections);
         if (section != current)
           {

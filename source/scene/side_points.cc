@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 
+#include <stickslip/mechanics/side_axes.h>
 #include <stickslip/scene/side_points.h>
 
 #include <algorithm>
@@ -65,6 +66,47 @@ namespace StickSlip
     for (Point<dim> &point : points)
       point = body->geometry.placed(point);
     return points;
+  }
+
+
+
+  namespace
+  {
+    Tensor<1, 2>
+    normal_to(const Tensor<1, 2> &edge, const Tensor<1, 2> &)
+    {
+      return Tensor<1, 2>({edge[1], -edge[0]});
+    }
+
+
+
+    Tensor<1, 3>
+    normal_to(const Tensor<1, 3> &edge, const Tensor<1, 3> &other)
+    {
+      return cross_product_3d(edge, other);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  side_directions(const SceneParameters<dim>   &scene,
+                  const BoundaryCondition<dim> &condition)
+  {
+    if (condition.axes == BoundaryAxes::space)
+      return unit_symmetric_tensor<dim>();
+    const std::vector<Point<dim>> points = side_points(scene, condition);
+    // The longest edge from the first point, and the largest triangle with it.
+    Tensor<1, dim> edge, normal;
+    for (const Point<dim> &point : points)
+      if ((point - points[0]).norm() > edge.norm())
+        edge = point - points[0];
+    for (const Point<dim> &point : points)
+      if (const Tensor<1, dim> candidate = normal_to(edge, point - points[0]);
+          candidate.norm() > normal.norm())
+        normal = candidate;
+    return axes_of_side(Tensor<1, dim>(normal / normal.norm()));
   }
 
 
@@ -154,10 +196,12 @@ namespace StickSlip
 
 
 
-  template decltype(side_points<2>)  side_points<2>;
-  template decltype(side_points<3>)  side_points<3>;
-  template decltype(body_points<2>)  body_points<2>;
-  template decltype(body_points<3>)  body_points<3>;
-  template decltype(fault_points<2>) fault_points<2>;
-  template decltype(fault_points<3>) fault_points<3>;
+  template decltype(side_points<2>)     side_points<2>;
+  template decltype(side_points<3>)     side_points<3>;
+  template decltype(side_directions<2>) side_directions<2>;
+  template decltype(side_directions<3>) side_directions<3>;
+  template decltype(body_points<2>)     body_points<2>;
+  template decltype(body_points<3>)     body_points<3>;
+  template decltype(fault_points<2>)    fault_points<2>;
+  template decltype(fault_points<3>)    fault_points<3>;
 } // namespace StickSlip

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/faults/background_stress.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/lithostatic_stress.h>
 
@@ -12,6 +13,25 @@ namespace StickSlip
 {
   namespace
   {
+    template <int dim>
+    std::string
+    tension_message(const FaultParameters &fault,
+                    const Point<dim>      &point,
+                    const double           normal_stress)
+    {
+      std::string position;
+      for (unsigned int d = 0; d < dim; ++d)
+        position += (d == 0 ? "" : ", ") + shortest_form(point[d]);
+      return "'" + fault.section() +
+             "/Background stress': pulls the fault apart at (" + position +
+             ") m, where the normal stress would be " +
+             shortest_form(normal_stress) +
+             " Pa; compression is negative in this entry, and the sum with "
+             "'Normal stress' must not be tension.";
+    }
+
+
+
     /** The normal stress at all slave nodes, Pa. */
     template <int dim>
     std::vector<double>
@@ -20,8 +40,9 @@ namespace StickSlip
                        const InitialEquilibrium<dim> &equilibrium,
                        unsigned int                  &n_in_tension)
     {
-      std::vector<double> stress = equilibrium.contact_pressure;
-      unsigned int        k      = 0;
+      const BackgroundStress<dim> background_stress(scene.faults);
+      std::vector<double>         stress = equilibrium.contact_pressure;
+      unsigned int                k      = 0;
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
           const FaultParameters         &fault = scene.faults[f];
@@ -33,6 +54,8 @@ namespace StickSlip
           else if (fault.normal_stress_source ==
                    NormalStressSource::lithostatic)
             given = lithostatic_stress(scene, f, points);
+          const std::vector<double> background =
+            background_stress.normal_stress(basis, f);
           const unsigned int first        = k;
           bool               has_friction = false;
           for (const FaultPart &part : fault.parts(points))
@@ -44,6 +67,11 @@ namespace StickSlip
                 const bool is_needed =
                   part.friction->kind().needs_normal_stress;
                 has_friction = has_friction || is_needed;
+                if (!background.empty())
+                  sigma += background[i];
+                if (sigma < 0. && is_needed && !background.empty() &&
+                    background[i] < 0.)
+                  throw InputError(tension_message(fault, points[i], sigma));
                 if (sigma < 0. && is_needed)
                   ++n_in_tension;
                 sigma = std::max(sigma, 0.);
@@ -57,8 +85,8 @@ namespace StickSlip
             throw InputError(
               fault.section() +
               "/Normal stress: nothing presses this fault together; it must be "
-              "'function', or there must be gravity or a boundary traction that "
-              "does.");
+              "'function', or there must be gravity, a boundary traction or a "
+              "background stress that does.");
         }
       return stress;
     }

@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/scene/side_points.h>
 #include <stickslip/simulation/restraint.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace StickSlip
@@ -72,15 +74,18 @@ namespace StickSlip
     {
       if (scene.bodies[body].geometry.rigid)
         return true;
-      return std::any_of(scene.boundary_conditions.begin(),
-                         scene.boundary_conditions.end(),
-                         [&](const BoundaryCondition<dim> &condition) {
-                           return condition.body == scene.bodies[body].name &&
-                                  (condition.type[axis] ==
-                                     BoundaryType::fixed ||
-                                   condition.type[axis] ==
-                                     BoundaryType::velocity);
-                         });
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        {
+          if (condition.body != scene.bodies[body].name)
+            continue;
+          const Tensor<2, dim> directions = side_directions(scene, condition);
+          for (unsigned int c = 0; c < dim; ++c)
+            if ((condition.type[c] == BoundaryType::fixed ||
+                 condition.type[c] == BoundaryType::velocity) &&
+                std::abs(directions[axis][c]) > 1e-3)
+              return true;
+        }
+      return false;
     }
   } // namespace
 

@@ -70,7 +70,8 @@ namespace StickSlip
               boundary_values,
               scene.gravity_vector(),
               scene.time.inertia == Inertia::dynamic,
-              make_slip_rates(scene))
+              make_slip_rates(scene),
+              BackgroundStress<dim>(scene.faults))
     , laws(make_node_laws(scene, problem.jump_basis()))
   {
     construction_timer.stop();

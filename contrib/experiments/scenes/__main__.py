@@ -15,7 +15,15 @@ import sys
 
 from common import figures, page, programs, store
 
-from . import large_slip, nine_bodies, slow_slip, thrusts, weakening_patch
+from . import (
+    crack,
+    curved_strike_slip,
+    large_slip,
+    nine_bodies,
+    slow_slip,
+    thrusts,
+    weakening_patch,
+)
 
 PAGE = programs.PROJECT / "doc/scenes.md"
 SECTIONS = {
@@ -25,6 +33,8 @@ SECTIONS = {
     "nine_body_stack": nine_bodies.outcome,
     "listric_thrust": thrusts.listric,
     "thrust_sequence": thrusts.sequence,
+    "crack": crack.outcome,
+    "curved_strike_slip": curved_strike_slip.outcome,
 }
 
 

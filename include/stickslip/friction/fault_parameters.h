@@ -5,6 +5,7 @@
 #define stickslip_friction_fault_parameters_h
 
 #include <stickslip/friction/friction_parameters.h>
+#include <stickslip/parameters/stress_field.h>
 
 #include <string>
 #include <vector>
@@ -82,6 +83,9 @@ namespace StickSlip
 
     /** True if the normal stress changes with the contact force. */
     bool normal_stress_follows = false;
+
+    /** Stress that acts on the fault and that the bodies do not carry. */
+    StressField background_stress;
 
     /** Regions in their order: where several are, the last of them counts. */
     std::vector<FrictionRegion> regions;

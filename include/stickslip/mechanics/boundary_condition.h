@@ -35,7 +35,8 @@ namespace StickSlip
   {
     /** The axes of space. */
     space,
-    /** Tangential axes of the side, and its outward normal as the last one. */
+    /** Tangential axes of the side, and its outward normal as the last one; see
+     * axes_of_side(). */
     side
   };
 
@@ -67,7 +68,12 @@ namespace StickSlip
 
     BoundaryCondition();
 
-    /** Declare the entries in the current subsection of @p prm. */
+    /** The name of a component in entries: x, or normal. */
+    std::string
+    component_name(const unsigned int component) const;
+
+    /** Declare the entries in the current subsection of @p prm: of components
+     * along the axes that the condition has now. */
     void
     add_parameters(ParameterHandler &prm);
   };

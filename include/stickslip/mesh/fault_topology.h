@@ -40,6 +40,10 @@ namespace StickSlip
 
     /** The parts of the boundaries of bodies that make up each side. */
     std::array<std::vector<BodySide>, 2> sides;
+
+    /** In three dimensions, the direction next to which slip has its first
+     * component; of any length, zero: chosen by make_fault_axes(). */
+    std::array<double, 3> strike = {{0., 0., 0.}};
   };
 
   /**
@@ -70,6 +74,13 @@ namespace StickSlip
     faults() const
     {
       return all_faults;
+    }
+
+    /** Set the direction of the first component of the slip of a fault. */
+    void
+    set_strike(const unsigned int fault, const std::array<double, 3> &strike)
+    {
+      all_faults[fault].strike = strike;
     }
 
     /** The boundary indicators of a body's sides at faults. */

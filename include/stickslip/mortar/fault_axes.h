@@ -26,9 +26,9 @@ namespace StickSlip
    * normal. In three dimensions a reference axis of the fault, projected onto
    * the plane normal to n, is the first, and n x t_1 the second tangent.
    *
-   * A level fault keeps the axes of space, whichever side is above: its normal
-   * may point against the last one. One set of axes is stored for a fault that
-   * is plane, none for one that is level.
+   * A level fault whose reference is the x axis keeps the axes of space,
+   * whichever side is above: its normal may point against the last one. One set
+   * of axes is stored for a fault that is plane, none for one that is level.
    */
   template <int dim>
   class FaultAxes
@@ -92,7 +92,10 @@ namespace StickSlip
 
   /**
    * The axes of all faults of the finest level, from the reference positions of
-   * the nodes; @p sides: one entry a fault. Throws InputError with the name of
+   * the nodes; @p sides: one entry a fault. In three dimensions the reference
+   * axis is Fault::strike, or else the x axis, or, if that is nearer to any
+   * normal than FaultAxes::least_angle, the horizontal direction in the mean
+   * plane of the fault towards positive y. Throws InputError with the name of
    * the fault.
    */
   template <int dim>

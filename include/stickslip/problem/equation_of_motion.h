@@ -21,7 +21,8 @@ namespace StickSlip
    *   B^T (M B w_tt + C B w_t + K B w) + friction = B^T f,
    *
    * in the jump basis B of a contact space: mass, damping and stiffness, the
-   * load f of gravity and tractions, boundary values, and the level hierarchy
+   * load f of gravity and tractions, that of a background stress on the faults
+   * which has no part in the bodies, boundary values, and the level hierarchy
    * of a combination of the terms. M is there only if inertia is asked for, C
    * only if a body is viscous.
    */
@@ -129,6 +130,14 @@ namespace StickSlip
       operator_sum.reset();
     }
 
+    /** Set the load of a background stress on the faults, a dual vector of the
+     * jump basis; empty for none. */
+    void
+    set_fault_load(NodalVector load)
+    {
+      fault_load = std::move(load);
+    }
+
     /** Make operator and levels; @p product, @p rotation: to the jump basis, @p
      * descriptions: of the levels of the contact space. Collective. */
     void
@@ -144,6 +153,8 @@ namespace StickSlip
     std::vector<Term>             terms;
     /** Empty without gravity. */
     NodalVector gravity_load;
+    /** In the jump basis, empty without a background stress. */
+    NodalVector fault_load;
 
     std::unique_ptr<OperatorSum<dim>>    operator_sum;
     std::unique_ptr<LevelHierarchy<dim>> levels;

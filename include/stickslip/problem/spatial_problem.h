@@ -4,6 +4,7 @@
 #ifndef stickslip_problem_spatial_problem_h
 #define stickslip_problem_spatial_problem_h
 
+#include <stickslip/faults/background_stress.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/equation_of_motion.h>
 
@@ -19,13 +20,15 @@ namespace StickSlip
   {
   public:
     /** Couples the faults as they are without displacement; for the arguments
-     * see ContactSpace and EquationOfMotion. */
+     * see ContactSpace and EquationOfMotion. Throws InputError if a background
+     * stress has no value at a node. */
     SpatialProblem(const MeshHierarchy<dim>          &meshes,
                    const std::vector<MaterialFields> &materials,
                    BoundaryValues<dim>               &boundary_values,
                    const Tensor<1, dim>              &gravity,
-                   const bool                         with_inertia = true,
-                   const std::vector<SlipRates<dim>> &slip_rates   = {});
+                   const bool                         with_inertia      = true,
+                   const std::vector<SlipRates<dim>> &slip_rates        = {},
+                   const BackgroundStress<dim>       &background_stress = {});
 
     SpatialProblem(const SpatialProblem &) = delete;
 
@@ -39,6 +42,9 @@ namespace StickSlip
      */
     void
     build_contact(const NodalVector &displacement);
+
+  private:
+    BackgroundStress<dim> background_stress;
   };
 } // namespace StickSlip
 

@@ -23,6 +23,9 @@ namespace StickSlip
       /** Bodies or their sides, see parse_between(); empty: found in the mesh.
        */
       std::string between;
+
+      /** Direction of the first component of slip, see Fault::strike. */
+      std::array<double, 3> strike = {{0., 0., 0.}};
     };
 
     /** Names of files, separated by commas; empty: bodies are bricks. */

@@ -20,6 +20,15 @@ namespace StickSlip
               const BoundaryCondition<dim> &condition);
 
   /**
+   * The directions of the components of a condition as columns; the normal of a
+   * side may have either sign.
+   */
+  template <int dim>
+  Tensor<2, dim>
+  side_directions(const SceneParameters<dim>   &scene,
+                  const BoundaryCondition<dim> &condition);
+
+  /**
    * The corners and the centre of a body, m; with mesh files its vertices.
    */
   template <int dim>

@@ -17,7 +17,7 @@ namespace StickSlip
    */
   struct EnergyTerms
   {
-    /** Gravity and prescribed tractions. */
+    /** Gravity, prescribed tractions and background stresses on faults. */
     double loads = 0;
     /** Forces that prescribed velocities need. */
     double driven_sides = 0;
