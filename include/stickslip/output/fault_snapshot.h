@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ namespace StickSlip
     /** The force that keeps the sides together over the area, Pa; empty if
      * nobody asks for it. */
     std::vector<double> contact_pressure;
+
+    /** Largest gap between the sides so far, m, where they follow a fault that
+     * bends; NaN elsewhere. */
+    double largest_gap = std::numeric_limits<double>::quiet_NaN();
   };
 
   /**
