@@ -41,6 +41,20 @@ namespace
 
 
 
+  std::vector<FaultSnapshot<3>>
+  faults_named(const std::vector<std::string> &names)
+  {
+    std::vector<FaultSnapshot<3>> faults;
+    for (const std::string &name : names)
+      {
+        faults.push_back(known_fault());
+        faults.back().name = name;
+      }
+    return faults;
+  }
+
+
+
   // A fault of three nodes that slips with the given rates.
   FaultSnapshot<2>
   slipping_fault(const std::vector<double> &rates, const double slip)
@@ -124,7 +138,9 @@ TEST(TimeSeries, HasTheColumnsAndAllDigits)
 {
   const TemporaryFolder folder;
   {
-    TimeSeries<3> series(folder.file("time_series.csv"), {"main", "upper-2"});
+    const std::vector<FaultSnapshot<3>> faults =
+      faults_named({"main", "upper-2"});
+    TimeSeries<3> series(folder.file("time_series.csv"), faults);
     StepRecord    step;
     step.step                  = 7;
     step.time                  = 1. / 3;
@@ -157,10 +173,33 @@ TEST(TimeSeries, HasTheColumnsAndAllDigits)
 
 
 
+TEST(TimeSeries, HasTheGapsOfFaultsThatBend)
+{
+  const TemporaryFolder         folder;
+  std::vector<FaultSnapshot<3>> faults = faults_named({"level", "bent"});
+  faults[1].largest_gap                = 0.25;
+  {
+    TimeSeries<3> series(folder.file("a.csv"), faults);
+    faults[1].largest_gap = 0.5;
+    series.add(StepRecord(), faults);
+  }
+  const std::vector<std::string> lines =
+    split(content_of(folder.file("a.csv")), '\n');
+  ASSERT_EQ(lines.size(), 2u);
+  const std::vector<std::string> titles = split(lines[0], ',');
+  const std::vector<std::string> row    = split(lines[1], ',');
+  ASSERT_EQ(titles.size(), 19u);
+  EXPECT_EQ(titles.back(), "bent.largest_gap");
+  ASSERT_EQ(row.size(), 19u);
+  EXPECT_EQ(std::stod(row.back()), 0.5);
+}
+
+
+
 TEST(TimeSeries, RowsReachTheFileAtOnce)
 {
   const TemporaryFolder folder;
-  TimeSeries<3>         series(folder.file("a.csv"), {"main"});
+  TimeSeries<3>         series(folder.file("a.csv"), faults_named({"main"}));
   series.add(StepRecord(), {known_fault()});
   EXPECT_EQ(split(content_of(folder.file("a.csv")), '\n').size(), 2u);
   EXPECT_THROW(TimeSeries<3>(folder.file("no/a.csv"), {}), InputError);

@@ -51,8 +51,8 @@ namespace
     resumed.resume(folder.file("state"));
     EXPECT_TRUE(same_bits(resumed.state(), kept.state()));
     {
-      TimeSeries<2> of_kept(folder.file("kept.csv"), {"fault"});
-      TimeSeries<2> of_resumed(folder.file("resumed.csv"), {"fault"});
+      TimeSeries<2> of_kept(folder.file("kept.csv"), snapshots(kept));
+      TimeSeries<2> of_resumed(folder.file("resumed.csv"), snapshots(resumed));
       for (unsigned int i = 0; i < n_advances && !kept.is_finished(); ++i)
         {
           advance(kept, of_kept);

@@ -7,8 +7,10 @@
 #include <stickslip/mortar/dual_basis.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/face_overlap.h>
+#include <stickslip/mortar/nodal_normals.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -42,8 +44,47 @@ namespace StickSlip
        * the face; empty between plane sides. */
       std::map<unsigned int, std::array<Tensor<1, dim - 1>, n>> slopes;
 
+      /** int phi_i g of smooth sides; zero if nobody asks for it. */
+      std::array<double, n> gap = {};
+
       double area = 0.;
     };
+
+
+
+    /** Unit vectors out of the bodies at the nodes of both sides. */
+    template <int dim>
+    struct SideNormals
+    {
+      std::vector<Tensor<1, dim>> slave, master;
+    };
+
+
+
+    /** By how much a smooth surface with these normals at the nodes is above
+     * one of its faces, at the point x of a plane that the face is projected
+     * onto, see side_gaps(). */
+    template <int dim>
+    double
+    bulge(const FacePlane<dim>              &plane,
+          const FaceShape<dim>              &shape,
+          const FaultSurface<dim>           &surface,
+          const unsigned int                 face,
+          const std::vector<Tensor<1, dim>> &normals,
+          const Point<dim - 1>              &x)
+    {
+      const auto phi    = shape.shape_values(x);
+      double     result = 0.;
+      for (unsigned int v = 0; v < shape.n_vertices(); ++v)
+        {
+          const Tensor<1, dim> &normal = normals[surface.faces[face][v]];
+          // At the edge of a fold there is no slope.
+          if (const double up = normal * plane.normal(); std::abs(up) > 0.5)
+            result -= 0.5 / up * phi[v] *
+                      (plane.components(normal) * (x - shape.vertices()[v]));
+        }
+      return result;
+    }
 
 
 
@@ -96,7 +137,8 @@ namespace StickSlip
     integrate_faces(const FaultSurface<dim>       &slave,
                     const std::vector<Point<dim>> &slave_positions,
                     const FaultSurface<dim>       &master,
-                    const std::vector<Point<dim>> &master_positions)
+                    const std::vector<Point<dim>> &master_positions,
+                    const SideNormals<dim>        *normals = nullptr)
     {
       const Quadrature<dim - 1> quadrature =
         cell_quadrature(std::integral_constant<int, dim>());
@@ -174,6 +216,25 @@ namespace StickSlip
               const double gap = product(slave_phi, slave_heights) -
                                  product(master_phi, master_heights) +
                                  shift * normal;
+              if (normals != nullptr)
+                {
+                  const double smooth_gap = gap +
+                                            bulge(*plane,
+                                                  *slave_shape,
+                                                  slave,
+                                                  cell.slave_face,
+                                                  normals->slave,
+                                                  x) -
+                                            bulge(*plane,
+                                                  *master_shape,
+                                                  master,
+                                                  cell.master_face,
+                                                  normals->master,
+                                                  on_master);
+                  for (unsigned int i = 0; i < n_slave; ++i)
+                    face.gap[i] += slave_phi[i] * smooth_gap * JxW;
+                  continue;
+                }
               const auto slopes = master_shape->shape_gradients(on_master);
               for (unsigned int j = 0; j < n_master; ++j)
                 {
@@ -184,6 +245,66 @@ namespace StickSlip
             }
         }
       return integrals;
+    }
+
+
+
+    /** The integrals of the shape functions of each slave node over all of its
+     * faces and over what of them is covered and has a dual basis. */
+    struct NodeWeights
+    {
+      std::vector<double> full, covered;
+
+      bool
+      is_active(const unsigned int p) const
+      {
+        return covered[p] > 0. &&
+               covered[p] >= active_weight_fraction * full[p];
+      }
+    };
+
+
+
+    template <int dim>
+    NodeWeights
+    node_weights(const FaultSurface<dim>               &slave,
+                 const std::vector<Point<dim>>         &slave_positions,
+                 const std::vector<FaceIntegrals<dim>> &integrals,
+                 const std::vector<DualBasis<dim>>     &bases)
+    {
+      NodeWeights weights;
+      weights.full.resize(slave_positions.size());
+      weights.covered.resize(slave_positions.size());
+      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+        {
+          const auto full = project_face(FacePlane<dim>(slave.normal_of(f)),
+                                         slave,
+                                         slave_positions,
+                                         f)
+                              .shape_integrals();
+          const unsigned int n = slave.n_vertices_of(f);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              weights.full[slave.faces[f][i]] += full[i];
+              if (bases[f].is_valid())
+                for (unsigned int j = 0; j < n; ++j)
+                  weights.covered[slave.faces[f][i]] += integrals[f].mass[i][j];
+            }
+        }
+      return weights;
+    }
+
+
+
+    template <int dim>
+    std::vector<DualBasis<dim>>
+    dual_bases(const FaultSurface<dim>               &slave,
+               const std::vector<FaceIntegrals<dim>> &integrals)
+    {
+      std::vector<DualBasis<dim>> bases;
+      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+        bases.emplace_back(integrals[f].mass, slave.n_vertices_of(f));
+      return bases;
     }
 
 
@@ -218,25 +339,10 @@ namespace StickSlip
     const std::vector<FaceIntegrals<dim>> integrals =
       integrate_faces(slave, slave_positions, master, master_positions);
 
-    std::vector<DualBasis<dim>> bases;
-    std::vector<double>         diagonal(n_nodes), full_weight(n_nodes);
-    for (unsigned int f = 0; f < n_faces; ++f)
-      {
-        const unsigned int n = slave.n_vertices_of(f);
-        bases.emplace_back(integrals[f].mass, n);
-        const auto full = project_face(FacePlane<dim>(slave.normal_of(f)),
-                                       slave,
-                                       slave_positions,
-                                       f)
-                            .shape_integrals();
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            full_weight[slave.faces[f][i]] += full[i];
-            if (bases[f].is_valid())
-              for (unsigned int j = 0; j < n; ++j)
-                diagonal[slave.faces[f][i]] += integrals[f].mass[i][j];
-          }
-      }
+    std::vector<DualBasis<dim>> bases = dual_bases(slave, integrals);
+    const NodeWeights           weights =
+      node_weights(slave, slave_positions, integrals, bases);
+    const std::vector<double> &diagonal = weights.covered;
 
     MortarCoupling<dim> coupling;
     coupling.active.resize(n_nodes);
@@ -246,9 +352,7 @@ namespace StickSlip
     coupling.inactive_slave_rows.resize(n_nodes);
     for (unsigned int p = 0; p < n_nodes; ++p)
       coupling.active[p] =
-        diagonal[p] > 0. &&
-        diagonal[p] >= active_weight_fraction * full_weight[p] &&
-        !(excluded.size() > 0 && excluded[p]);
+        weights.is_active(p) && !(excluded.size() > 0 && excluded[p]);
 
     std::vector<std::map<unsigned int, double>>         M(n_nodes), E(n_nodes);
     std::vector<std::map<unsigned int, Tensor<2, dim>>> C;
@@ -324,6 +428,35 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  std::vector<double>
+  side_gaps(const FaultSurface<dim>       &slave,
+            const std::vector<Point<dim>> &slave_positions,
+            const FaultSurface<dim>       &master,
+            const std::vector<Point<dim>> &master_positions)
+  {
+    const SideNormals<dim> normals{nodal_normals(slave), nodal_normals(master)};
+    const std::vector<FaceIntegrals<dim>> integrals = integrate_faces(
+      slave, slave_positions, master, master_positions, &normals);
+    const std::vector<DualBasis<dim>> bases = dual_bases(slave, integrals);
+    const NodeWeights                 weights =
+      node_weights(slave, slave_positions, integrals, bases);
+
+    std::vector<double> gaps(slave_positions.size());
+    for (unsigned int f = 0; f < slave.faces.size(); ++f)
+      for (unsigned int i = 0;
+           bases[f].is_valid() && i < slave.n_vertices_of(f);
+           ++i)
+        gaps[slave.faces[f][i]] +=
+          product(bases[f].coefficients()[i], integrals[f].gap);
+    for (unsigned int p = 0; p < gaps.size(); ++p)
+      gaps[p] = weights.is_active(p) ? gaps[p] / weights.covered[p] :
+                                       std::numeric_limits<double>::quiet_NaN();
+    return gaps;
+  }
+
+
+
   template struct MortarCoupling<2>;
   template struct MortarCoupling<3>;
 
@@ -339,4 +472,14 @@ namespace StickSlip
                         const FaultSurface<3> &,
                         const std::vector<Point<3>> &,
                         const std::vector<bool> &);
+  template std::vector<double>
+  side_gaps(const FaultSurface<2> &,
+            const std::vector<Point<2>> &,
+            const FaultSurface<2> &,
+            const std::vector<Point<2>> &);
+  template std::vector<double>
+  side_gaps(const FaultSurface<3> &,
+            const std::vector<Point<3>> &,
+            const FaultSurface<3> &,
+            const std::vector<Point<3>> &);
 } // namespace StickSlip

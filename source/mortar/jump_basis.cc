@@ -3,6 +3,7 @@
 
 #include <stickslip/mortar/crosspoints.h>
 #include <stickslip/mortar/jump_basis.h>
+#include <stickslip/mortar/moved_surface.h>
 
 #include <algorithm>
 #include <set>
@@ -28,6 +29,31 @@ namespace StickSlip
       for (unsigned int p = 0; p < surface.points.size(); ++p)
         positions.push_back(surface.points[p] + displacement[p]);
       return positions;
+    }
+
+
+
+    /** Sides that bend have the normals that they have where they are now. */
+    template <int dim>
+    MortarCoupling<dim>
+    couple(const FaultSurface<dim>      &slave,
+           const FaultSurface<dim>      &master,
+           const FaultDisplacement<dim> &displacement,
+           const bool                    are_bent,
+           const std::vector<bool>      &excluded)
+    {
+      const std::vector<Point<dim>> slave_positions =
+        current_positions(slave, displacement.slave);
+      const std::vector<Point<dim>> master_positions =
+        current_positions(master, displacement.master);
+      if (!are_bent)
+        return build_mortar_coupling<dim>(
+          slave, slave_positions, master, master_positions, excluded);
+      return build_mortar_coupling<dim>(moved_surface(slave, slave_positions),
+                                        slave_positions,
+                                        moved_surface(master, master_positions),
+                                        master_positions,
+                                        excluded);
     }
 
 
@@ -73,12 +99,13 @@ namespace StickSlip
           excluded.push_back(
             !dirichlet.is_fully_active(p) ||
             std::binary_search(crossings.begin(), crossings.end(), p));
-        contact.coupling = build_mortar_coupling<dim>(
-          contact.slave_surface,
-          current_positions(contact.slave_surface, displacements[f].slave),
-          master,
-          current_positions(master, displacements[f].master),
-          excluded);
+        contact.is_bent =
+          !contact.slave_surface.is_plane() || !master.is_plane();
+        contact.coupling = couple(contact.slave_surface,
+                                  master,
+                                  displacements[f],
+                                  contact.is_bent,
+                                  excluded);
 
         const MortarCoupling<dim> &coupling = contact.coupling;
         for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)

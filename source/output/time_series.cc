@@ -7,28 +7,33 @@
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/time_series.h>
 
+#include <cmath>
 #include <limits>
 
 namespace StickSlip
 {
   template <int dim>
-  TimeSeries<dim>::TimeSeries(const std::string              &file_name,
-                              const std::vector<std::string> &fault_names)
+  TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
+                              const std::vector<FaultSnapshot<dim>> &faults)
     : file(file_name)
     , file_name(file_name)
-    , n_faults(fault_names.size())
+    , n_faults(faults.size())
   {
     file.precision(std::numeric_limits<double>::max_digits10);
     file << "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
             "multigrid_cycles";
-    for (const std::string &fault : fault_names)
-      for (const char *column : {"max_slip_rate",
-                                 "mean_slip_rate",
-                                 "min_slip_rate",
-                                 "mean_slip",
-                                 "mean_state",
-                                 "mean_shear_traction"})
-        file << ',' << fault << '.' << column;
+    for (const FaultSnapshot<dim> &fault : faults)
+      {
+        for (const char *column : {"max_slip_rate",
+                                   "mean_slip_rate",
+                                   "min_slip_rate",
+                                   "mean_slip",
+                                   "mean_state",
+                                   "mean_shear_traction"})
+          file << ',' << fault.name << '.' << column;
+        if (!std::isnan(fault.largest_gap))
+          file << ',' << fault.name << ".largest_gap";
+      }
     file << '\n' << std::flush;
     if (!file)
       throw InputError("The file '" + file_name + "' cannot be written.");
@@ -53,6 +58,8 @@ namespace StickSlip
              << statistics.mean_slip_rate << ',' << statistics.min_slip_rate
              << ',' << statistics.mean_slip << ',' << statistics.mean_state
              << ',' << statistics.mean_shear_traction;
+        if (!std::isnan(fault.largest_gap))
+          file << ',' << fault.largest_gap;
       }
     file << '\n' << std::flush;
     AssertThrow(file,

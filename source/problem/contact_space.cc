@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/agreed_failure.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/problem/contact_components.h>
 #include <stickslip/problem/contact_space.h>
 
@@ -81,14 +82,7 @@ namespace StickSlip
         f,
         shear_modulus(finest, faults[f].sides[1], materials) /
           shear_modulus(finest, faults[f].sides[0], materials)));
-    axes.resize(meshes.n_levels());
-    axes.back() = make_fault_axes(finest, meshes.topology(), sides);
-    for (unsigned int l = meshes.n_levels() - 1; l > 0; --l)
-      axes[l - 1] = inject(meshes.level(l - 1),
-                           meshes.level(l),
-                           meshes.prolongation(l),
-                           sides,
-                           axes[l]);
+    axes = make_fault_axes(finest, meshes.topology(), sides);
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       {
         dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
@@ -104,26 +98,34 @@ namespace StickSlip
 
 
   template <int dim>
-  std::vector<JumpBasis<dim>>
-  ContactSpace<dim>::make_bases(const NodalVector &displacement) const
+  typename ContactSpace<dim>::Mapping
+  ContactSpace<dim>::make_mapping(
+    const NodalVector                     &displacement,
+    const std::vector<Tensor<1, dim - 1>> &expected_slip) const
   {
     const unsigned int    n_levels = mesh_hierarchy.n_levels();
     const MeshLevel<dim> &finest   = mesh_hierarchy.finest();
 
-    std::vector<JumpBasis<dim>>         bases;
+    Mapping                             mapping;
+    std::vector<JumpBasis<dim>>        &bases = mapping.bases;
     std::vector<FaultDisplacement<dim>> displacements =
       gather_fault_displacements(finest, sides, displacement);
+    std::vector<FaultAxes<dim>> axes_now = axes;
+    mapping.gaps = follow_bends(expected_slip, axes_now, displacements);
     for (unsigned int l = n_levels; l-- > 0;)
       {
         const MeshLevel<dim> &level = mesh_hierarchy.level(l);
         if (l + 1 < n_levels)
-          displacements = inject(level,
-                                 mesh_hierarchy.level(l + 1),
-                                 mesh_hierarchy.prolongation(l + 1),
-                                 sides,
-                                 displacements);
+          {
+            const MeshLevel<dim>    &finer = mesh_hierarchy.level(l + 1);
+            const NodalProlongation &prolongation =
+              mesh_hierarchy.prolongation(l + 1);
+            displacements =
+              inject(level, finer, prolongation, sides, displacements);
+            axes_now = inject(level, finer, prolongation, sides, axes_now);
+          }
         bases.emplace_back(
-          level, sides, axes[l], displacements, dirichlet_masks[l]);
+          level, sides, axes_now, displacements, dirichlet_masks[l]);
       }
     std::reverse(bases.begin(), bases.end());
     for (unsigned int i = 0; i < bases.back().faults().size(); ++i)
@@ -131,18 +133,63 @@ namespace StickSlip
         throw AgreedFailure("The two sides of the fault '" +
                             mesh_hierarchy.topology().faults()[i].name +
                             "' do not touch.");
-    return bases;
+    return mapping;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::optional<LargestGap>>
+  ContactSpace<dim>::follow_bends(
+    const std::vector<Tensor<1, dim - 1>> &expected_slip,
+    std::vector<FaultAxes<dim>>           &axes_now,
+    std::vector<FaultDisplacement<dim>>   &displacements) const
+  {
+    const MeshLevel<dim>                  &finest = mesh_hierarchy.finest();
+    std::vector<std::optional<LargestGap>> gaps(sides.size());
+    double                                 farthest = 0.;
+    for (const Tensor<1, dim - 1> &slip : expected_slip)
+      farthest = std::max(farthest, slip.norm());
+    unsigned int first = 0;
+    for (unsigned int f = 0; f < sides.size(); ++f)
+      {
+        const FaultSurface<dim> &slave  = finest.surface(f, sides[f].slave);
+        const FaultSurface<dim> &master = finest.surface(f, sides[f].master);
+        const unsigned int       n      = slave.nodes.size();
+        std::vector<Tensor<1, dim - 1>> slip;
+        if (!expected_slip.empty())
+          slip.assign(expected_slip.begin() + first,
+                      expected_slip.begin() + first + n);
+        first += n;
+        if (slave.is_plane() && master.is_plane())
+          continue;
+        try
+          {
+            SecantCoupling<dim> coupling = secant_coupling(
+              slave, master, sides[f], displacements[f], slip, farthest);
+            axes_now[f]      = std::move(coupling.axes);
+            displacements[f] = std::move(coupling.displacement);
+            gaps[f]          = coupling.gap;
+          }
+        catch (const InputError &error)
+          {
+            throw AgreedFailure("The fault '" +
+                                mesh_hierarchy.topology().faults()[f].name +
+                                "': " + error.what());
+          }
+      }
+    return gaps;
   }
 
 
 
   template <int dim>
   void
-  ContactSpace<dim>::set_bases(std::vector<JumpBasis<dim>> bases,
-                               const BlockSparsity        &sparsity)
+  ContactSpace<dim>::set_mapping(Mapping mapping, const BlockSparsity &sparsity)
   {
-    const unsigned int    n_levels = mesh_hierarchy.n_levels();
-    const MeshLevel<dim> &finest   = mesh_hierarchy.finest();
+    std::vector<JumpBasis<dim>> &bases    = mapping.bases;
+    const unsigned int           n_levels = mesh_hierarchy.n_levels();
+    const MeshLevel<dim>        &finest   = mesh_hierarchy.finest();
 
     // Memory of the old transfers is needed for the new ones.
     levels.clear();
@@ -205,6 +252,7 @@ namespace StickSlip
                                      *to_jump_basis->coarse_sparsity());
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
+    largest_gaps = std::move(mapping.gaps);
   }
 
 
@@ -272,6 +320,15 @@ namespace StickSlip
   ContactSpace<dim>::jump_basis() const
   {
     return *finest_basis;
+  }
+
+
+
+  template <int dim>
+  const std::vector<std::optional<LargestGap>> &
+  ContactSpace<dim>::gaps() const
+  {
+    return largest_gaps;
   }
 
 

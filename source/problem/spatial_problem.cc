@@ -29,12 +29,14 @@ namespace StickSlip
 
   template <int dim>
   void
-  SpatialProblem<dim>::build_contact(const NodalVector &displacement)
+  SpatialProblem<dim>::build_contact(
+    const NodalVector                     &displacement,
+    const std::vector<Tensor<1, dim - 1>> &expected_slip)
   {
-    std::vector<JumpBasis<dim>> bases = this->make_bases(displacement);
+    auto mapping = this->make_mapping(displacement, expected_slip);
     // Memory of the old levels is needed for the new ones.
     this->clear_operator();
-    this->set_bases(std::move(bases), this->nodal_sparsity());
+    this->set_mapping(std::move(mapping), this->nodal_sparsity());
     this->make_operator(this->jump_product(),
                         this->rotation_coupling(),
                         this->descriptions());

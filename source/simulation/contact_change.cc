@@ -35,19 +35,56 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  has_slid(const JumpBasis<dim>                  &basis,
-           const std::vector<Tensor<1, dim - 1>> &slip,
-           const std::vector<Tensor<1, dim - 1>> &since,
-           const double                           fraction)
+  std::vector<double>
+  sliding_distances(const JumpBasis<dim>    &basis,
+                    const ContactParameters &parameters)
   {
     double smallest_face = std::numeric_limits<double>::max();
     for (const FaultContact<dim> &contact : basis.faults())
       smallest_face = std::min(smallest_face, contact.smallest_face);
-    double largest = 0;
+    std::vector<double> distances;
+    for (const FaultContact<dim> &contact : basis.faults())
+      distances.push_back(parameters.fraction(contact.is_bent) * smallest_face);
+    return distances;
+  }
+
+
+
+  template <int dim>
+  bool
+  has_slid(const FaultNodes<dim>                 &faults,
+           const std::vector<Tensor<1, dim - 1>> &slip,
+           const std::vector<Tensor<1, dim - 1>> &since,
+           const std::vector<double>             &distances)
+  {
     for (unsigned int k = 0; k < since.size(); ++k)
-      largest = std::max(largest, (slip[k] - since[k]).norm());
-    return largest > fraction * smallest_face;
+      if ((slip[k] - since[k]).norm() > distances[faults.fault(k)])
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  expected_slip(const JumpBasis<dim>                  &basis,
+                const FaultNodes<dim>                 &faults,
+                const std::vector<Tensor<1, dim - 1>> &slip_rate,
+                const std::vector<double>             &distances)
+  {
+    if (std::none_of(basis.faults().begin(),
+                     basis.faults().end(),
+                     [](const auto &contact) { return contact.is_bent; }))
+      return {};
+    double frequency = 0;
+    for (unsigned int k = 0; k < slip_rate.size(); ++k)
+      frequency =
+        std::max(frequency, slip_rate[k].norm() / distances[faults.fault(k)]);
+    std::vector<Tensor<1, dim - 1>> result = slip_rate;
+    for (Tensor<1, dim - 1> &slip : result)
+      if (frequency > 0.)
+        slip /= frequency;
+    return result;
   }
 
 
@@ -71,8 +108,12 @@ namespace StickSlip
 
 
 
-  template decltype(has_slid<2>)       has_slid<2>;
-  template decltype(has_slid<3>)       has_slid<3>;
-  template decltype(change_contact<2>) change_contact<2>;
-  template decltype(change_contact<3>) change_contact<3>;
+  template decltype(sliding_distances<2>) sliding_distances<2>;
+  template decltype(sliding_distances<3>) sliding_distances<3>;
+  template decltype(has_slid<2>)          has_slid<2>;
+  template decltype(has_slid<3>)          has_slid<3>;
+  template decltype(expected_slip<2>)     expected_slip<2>;
+  template decltype(expected_slip<3>)     expected_slip<3>;
+  template decltype(change_contact<2>)    change_contact<2>;
+  template decltype(change_contact<3>)    change_contact<3>;
 } // namespace StickSlip

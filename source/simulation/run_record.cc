@@ -92,7 +92,7 @@ namespace StickSlip
     if (scene.output.time_series_steps > 0)
       time_series =
         std::make_unique<TimeSeries<dim>>(directory.file("time_series.csv"),
-                                          names_of(scene.faults));
+                                          faults);
     if (scene.output.write_faults)
       history = std::make_unique<FaultHistory<dim>>(directory.file("faults.h5"),
                                                     faults,

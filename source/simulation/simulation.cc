@@ -19,7 +19,9 @@
 #include <stickslip/simulation/simulation_summary.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 namespace StickSlip
@@ -150,6 +152,7 @@ namespace StickSlip
     run_state.coupled_slip         = start.slip;
 
     prepare();
+    note_gaps();
     check_restraint(scene, faults, laws, start);
     if (energy)
       energy->start(start);
@@ -218,10 +221,10 @@ namespace StickSlip
     for (StepResult<dim> &step : accepted)
       accept(std::move(step));
     if (scene.contact.follow_slip &&
-        has_slid<dim>(problem.jump_basis(),
-                      state().slip,
-                      run_state.coupled_slip,
-                      scene.contact.rebuild_fraction))
+        has_slid(faults,
+                 state().slip,
+                 run_state.coupled_slip,
+                 sliding_distances(problem.jump_basis(), scene.contact)))
       follow_contact();
   }
 
@@ -266,8 +269,14 @@ namespace StickSlip
     ++run_state.counts.contact_mappings;
     run_state.coupled_displacement = current.displacement;
     run_state.coupled_slip         = current.slip;
-    const FaultNodes<dim> before   = faults;
+    run_state.expected_slip =
+      expected_slip(problem.jump_basis(),
+                    faults,
+                    current.slip_rate,
+                    sliding_distances(problem.jump_basis(), scene.contact));
+    const FaultNodes<dim> before = faults;
     couple();
+    note_gaps();
     change_contact(current, problem, before, faults);
     if (energy)
       energy->restart(current);
@@ -276,11 +285,46 @@ namespace StickSlip
 
 
   template <int dim>
+  void
+  Simulation<dim>::note_gaps()
+  {
+    // A gap of this part of a face changes where forces act as the mesh does.
+    constexpr double allowed_part = 0.05;
+
+    const std::vector<std::optional<LargestGap>> &gaps = problem.gaps();
+    run_state.largest_gaps.resize(gaps.size(),
+                                  std::numeric_limits<double>::quiet_NaN());
+    for (unsigned int f = 0; f < gaps.size(); ++f)
+      if (gaps[f])
+        {
+          double &largest = run_state.largest_gaps[f];
+          largest         = std::isnan(largest) ? gaps[f]->absolute :
+                                                  std::max(largest, gaps[f]->absolute);
+          if (scene.contact.follow_slip && gaps[f]->over_face > allowed_part)
+            {
+              std::ostringstream message;
+              message
+                << "The sides of the fault '" << scene.faults[f].name
+                << "' are up to " << gaps[f]->absolute << " m apart, "
+                << gaps[f]->over_face << " of a face, at t = " << state().time
+                << " s: the mesh must resolve the bends that they slide over, "
+                   "and 'Contact/Rebuild fraction' be small enough.";
+              throw AgreedFailure(message.str());
+            }
+        }
+  }
+
+
+
+  template <int dim>
   std::vector<FaultSnapshot<dim>>
   Simulation<dim>::fault_snapshots() const
   {
-    return make_fault_snapshots(
+    std::vector<FaultSnapshot<dim>> snapshots = make_fault_snapshots(
       state(), faults, laws, problem.jump_basis(), names_of(scene.faults));
+    for (unsigned int f = 0; f < snapshots.size(); ++f)
+      snapshots[f].largest_gap = run_state.largest_gaps[f];
+    return snapshots;
   }
 
 

@@ -66,11 +66,13 @@ namespace StickSlip
 
 
 
-    /** Unknowns, and the nodes, slave side and contact area of each fault. */
+    /** Unknowns, and the nodes, slave side, contact area and gap of each fault.
+     */
     template <int dim>
     void
     summarise_problem(RunSummary                     &summary,
                       const SpatialProblem<dim>      &problem,
+                      const std::vector<double>      &largest_gaps,
                       const std::vector<std::string> &body_names,
                       const std::vector<std::string> &fault_names)
     {
@@ -99,6 +101,8 @@ namespace StickSlip
           section.add("area in contact",
                       contact.coupling.covered_area,
                       dim == 2 ? "m" : "m^2");
+          if (!std::isnan(largest_gaps[f]))
+            section.add("largest gap between the sides", largest_gaps[f], "m");
         }
     }
 
@@ -245,7 +249,11 @@ namespace StickSlip
     run.add_count("processes", Utilities::MPI::n_mpi_processes(communicator));
     summarise_meshes(summary, problem.meshes(), body_names);
     if (problem.is_coupled())
-      summarise_problem(summary, problem, body_names, names_of(scene.faults));
+      summarise_problem(summary,
+                        problem,
+                        state.largest_gaps,
+                        body_names,
+                        names_of(scene.faults));
     summarise_steps(summary, state, scene.time.control);
     if (energy != nullptr && problem.is_coupled())
       summarise_energy(summary, *energy, state.system, scene.time.inertia);

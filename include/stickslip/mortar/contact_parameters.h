@@ -20,9 +20,19 @@ namespace StickSlip
 
     /**
      * The mapping is rebuilt as soon as some node has slid farther since the
-     * last build than this fraction of the smallest face at the fault.
+     * last build than this fraction of the smallest face at any fault; zero:
+     * see fraction().
      */
-    double rebuild_fraction = 0.25;
+    double rebuild_fraction = 0.;
+
+    /** The fraction for a fault that bends or does not. */
+    double
+    fraction(const bool is_bent) const
+    {
+      return rebuild_fraction > 0. ? rebuild_fraction :
+             is_bent               ? 1. / 16. :
+                                     0.25;
+    }
 
     /** Declare the entries in the current subsection of @p prm. */
     void

@@ -31,6 +31,9 @@ namespace StickSlip
 
     /** Diameter of the smallest face of the two sides, m. */
     double smallest_face = 0;
+
+    /** True if the two sides are not in one plane. */
+    bool is_bent = false;
   };
 
   /**

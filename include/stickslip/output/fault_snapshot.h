@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,10 @@ namespace StickSlip
 
     /** Positions at this time, m; empty unless they are written. */
     std::vector<Point<dim>> positions;
+
+    /** Largest gap between the sides so far, m, where they follow a fault that
+     * bends; NaN elsewhere. */
+    double largest_gap = std::numeric_limits<double>::quiet_NaN();
   };
 
   /**

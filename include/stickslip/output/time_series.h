@@ -16,20 +16,22 @@ namespace StickSlip
    * Writes time_series.csv: a header, then a row for each accepted step with
    * the columns step, time, step_size, rate_state_iterations, tnnmg_iterations,
    * multigrid_cycles and, for each fault, those of FaultStatistics, in SI units
-   * and with 17 significant digits. Each row reaches the file at once.
+   * and with 17 significant digits; for faults that bend the largest gap
+   * between their sides so far as well. Each row reaches the file at once.
    */
   template <int dim>
   class TimeSeries
   {
   public:
     /**
-     * Throws InputError if the file cannot be written.
+     * @p faults: as they are at the start. Throws InputError if the file cannot
+     * be written.
      */
-    TimeSeries(const std::string              &file_name,
-               const std::vector<std::string> &fault_names);
+    TimeSeries(const std::string                     &file_name,
+               const std::vector<FaultSnapshot<dim>> &faults);
 
     /**
-     * Append a row; @p faults in the order of the names given first.
+     * Append a row; @p faults in the order of those given first.
      */
     void
     add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);

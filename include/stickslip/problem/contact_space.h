@@ -9,10 +9,12 @@
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
+#include <stickslip/mortar/secant_axes.h>
 #include <stickslip/multigrid/level_description.h>
 #include <stickslip/problem/rotation_coupling.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace StickSlip
@@ -50,6 +52,11 @@ namespace StickSlip
     const JumpBasis<dim> &
     jump_basis() const;
 
+    /** The largest gap of each fault when it was coupled, in the order of the
+     * faults; none of faults that are plane. */
+    const std::vector<std::optional<LargestGap>> &
+    gaps() const;
+
     /** w = B^-1 u. Collective. */
     void
     to_jumps(NodalVector &w, const NodalVector &u) const;
@@ -81,16 +88,27 @@ namespace StickSlip
     make_nodal_vector() const;
 
   protected:
-    /** Jump bases of all levels for the faults as they are after a
-     * displacement, m. Throws AgreedFailure if the sides of a fault do not
-     * touch any more. Collective. */
-    std::vector<JumpBasis<dim>>
-    make_bases(const NodalVector &displacement) const;
+    /** A contact mapping before it is put in place: jump bases of all levels,
+     * and gaps(). */
+    struct Mapping
+    {
+      std::vector<JumpBasis<dim>>            bases;
+      std::vector<std::optional<LargestGap>> gaps;
+    };
 
-    /** Put these bases in the place of those before. @p sparsity: of nodal
+    /** The mapping of the faults as they are after a displacement, m.
+     * @p expected_slip: of each slave node, fault after fault, until the next
+     * mapping, see SecantCoupling; faults that are plane do not look at it.
+     * Throws AgreedFailure if the sides of a fault do not touch any more.
+     * Collective. */
+    Mapping
+    make_mapping(const NodalVector                     &displacement,
+                 const std::vector<Tensor<1, dim - 1>> &expected_slip) const;
+
+    /** Put a mapping in the place of the one before. @p sparsity: of nodal
      * matrices. Collective. */
     void
-    set_bases(std::vector<JumpBasis<dim>> bases, const BlockSparsity &sparsity);
+    set_mapping(Mapping mapping, const BlockSparsity &sparsity);
 
     /** Unknowns of all levels and the transfers between them. */
     const std::vector<LevelDescription<dim>> &
@@ -105,6 +123,13 @@ namespace StickSlip
     rotation_coupling() const;
 
   private:
+    /** Let the faults that bend be coupled along chords, all on the finest
+     * level: changes their axes and displacements. Returns gaps(). */
+    std::vector<std::optional<LargestGap>>
+    follow_bends(const std::vector<Tensor<1, dim - 1>> &expected_slip,
+                 std::vector<FaultAxes<dim>>           &axes_now,
+                 std::vector<FaultDisplacement<dim>>   &displacements) const;
+
     /** Set masks and nonsmooth nodes of all levels. */
     void
     describe(std::vector<LevelDescription<dim>> &levels,
@@ -112,13 +137,16 @@ namespace StickSlip
 
     const MeshHierarchy<dim> &mesh_hierarchy;
     std::vector<FaultSides>   sides;
-    /** Axes of all faults, level by level. */
-    std::vector<std::vector<FaultAxes<dim>>> axes;
-    std::vector<NodeMask>                    dirichlet_masks;
+    /** Axes of all faults on the finest level at the start; those of plane
+     * faults stay. */
+    std::vector<FaultAxes<dim>> axes;
+    std::vector<NodeMask>       dirichlet_masks;
     /** Axes of nodes that boundary conditions ask for, level by level. */
     std::vector<NodeFrames<dim>> boundary_frames;
     /** Null where friction acts on all faults. */
     std::unique_ptr<PrescribedSlip<dim>> prescribed_slip;
+
+    std::vector<std::optional<LargestGap>> largest_gaps;
 
     std::unique_ptr<JumpBasis<dim>>       finest_basis;
     std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;

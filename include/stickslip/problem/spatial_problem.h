@@ -37,11 +37,15 @@ namespace StickSlip
 
     /**
      * Couple the faults as they are after a displacement, m, with everything
-     * that depends on it. Throws AgreedFailure if the sides of a fault do not
-     * touch any more; all is as before then. Collective.
+     * that depends on it. @p expected_slip: of each slave node until the next
+     * time, m, which tells along which chords faults that bend are coupled
+     * (SecantCoupling); empty: nothing slides. Throws AgreedFailure if the
+     * sides of a fault do not touch any more; all is as before then.
+     * Collective.
      */
     void
-    build_contact(const NodalVector &displacement);
+    build_contact(const NodalVector                     &displacement,
+                  const std::vector<Tensor<1, dim - 1>> &expected_slip = {});
 
   private:
     BackgroundStress<dim> background_stress;

@@ -5,27 +5,43 @@
 #define stickslip_simulation_contact_change_h
 
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
 
 namespace StickSlip
 {
-  /**
-   * True if a node has slid further between two slips, m, than this fraction of
-   * the smallest face of any fault.
-   */
+  /** Distance, m, that a node of each fault may slide until the faults are
+   * coupled anew: its fraction of the smallest face of any fault. */
+  template <int dim>
+  std::vector<double>
+  sliding_distances(const JumpBasis<dim>    &basis,
+                    const ContactParameters &parameters);
+
+  /** True if a node has slid farther between two slips, m, than these
+   * @p distances, one a fault, allow. */
   template <int dim>
   bool
-  has_slid(const JumpBasis<dim>                  &basis,
+  has_slid(const FaultNodes<dim>                 &faults,
            const std::vector<Tensor<1, dim - 1>> &slip,
            const std::vector<Tensor<1, dim - 1>> &since,
-           const double                           fraction);
+           const std::vector<double>             &distances);
+
+  /** The slip of each node until one of them has slid by its distance if slip
+   * rates stay as they are, m; empty where no fault bends. */
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  expected_slip(const JumpBasis<dim>                  &basis,
+                const FaultNodes<dim>                 &faults,
+                const std::vector<Tensor<1, dim - 1>> &slip_rate,
+                const std::vector<double>             &distances);
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
-   * @p now. Slip rates belong to the nodes of the fault and stay; the velocity
-   * of the slave side follows from them and from the new partners. Nodes that
-   * come into contact get the jump of the velocities as they are. Collective.
+   * @p now. Slip rates belong to the nodes of the fault and stay, along axes
+   * that may have turned; the velocity of the slave side follows from them and
+   * from the new partners. Nodes that come into contact get the jump of the
+   * velocities as they are. Collective.
    */
   template <int dim>
   void

@@ -88,6 +88,13 @@ namespace StickSlip
     NodalVector                     coupled_displacement;
     std::vector<Tensor<1, dim - 1>> coupled_slip;
 
+    /** Slip of each node that was expected from then on, m, see
+     * SecantCoupling; empty where no fault bends. */
+    std::vector<Tensor<1, dim - 1>> expected_slip;
+
+    /** Largest gap of each fault at any coupling, m; NaN where it is plane. */
+    std::vector<double> largest_gaps;
+
     /** Normal stress less contact pressure at the start, at each slave node,
      * Pa, see FollowingStress; empty where there is no pressure. */
     std::vector<double> stress_offset;
@@ -112,8 +119,8 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &system &coupled_slip &stress_offset &steps &energy &counts
-        &record;
+      archive &system &coupled_slip &expected_slip &largest_gaps &stress_offset
+        &steps &energy &counts &record;
     }
   };
 } // namespace StickSlip

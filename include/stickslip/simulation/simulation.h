@@ -117,7 +117,8 @@ namespace StickSlip
     void
     couple()
     {
-      problem.build_contact(run_state.coupled_displacement);
+      problem.build_contact(run_state.coupled_displacement,
+                            run_state.expected_slip);
       prepare();
     }
 
@@ -133,6 +134,11 @@ namespace StickSlip
      */
     void
     follow_contact();
+
+    /** Take in the gaps of a new contact mapping. Throws AgreedFailure if
+     * the sides of a fault have come apart. */
+    void
+    note_gaps();
 
     std::vector<FaultSnapshot<dim>>
     fault_snapshots() const;
