@@ -52,10 +52,10 @@ namespace
 
   // A row of faces between the nodes, and axes that tell node and entry.
   template <int dim>
-  FaultShape<dim>
+  FaultLayout<dim>
   numbered_shape(const unsigned int n_nodes)
   {
-    FaultShape<dim> shape;
+    FaultLayout<dim> shape;
     shape.surface.points     = numbered_fault<dim>("", n_nodes, 0).points;
     constexpr unsigned int n = FaultSurface<dim>::n_vertices;
     for (unsigned int p = 0; p + n <= n_nodes; ++p)
@@ -234,7 +234,7 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
 TEST(FaultHistory, HasTwoComponentsInThreeDimensions)
 {
   const TemporaryFolder folder;
-  FaultShape<3>         shape = numbered_shape<3>(5);
+  FaultLayout<3>        shape = numbered_shape<3>(5);
   shape.surface.faces         = {{{0, 1, 2, 3}},
                                  {{2, 3, 4, numbers::invalid_unsigned_int}}};
   {

@@ -76,10 +76,10 @@ namespace
 
 
   // The nodes of such a fault, on faces that are level.
-  FaultShape<2>
+  FaultLayout<2>
   level_shape()
   {
-    FaultShape<2> shape;
+    FaultLayout<2> shape;
     shape.surface.points = slipping_fault({0, 0, 0}, 0).points;
     shape.surface.faces  = {{{0, 1}}, {{1, 2}}};
     shape.surface.normal = Tensor<1, 2>({0, -1});

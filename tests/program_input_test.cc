@@ -55,7 +55,7 @@ namespace
      "--set 'Faults/fault/Normal stress=initial equilibrium'",
      {"Faults/fault/Normal stress", "nothing presses", "'function'"}},
     {"--set 'Bodies/upper/Thickness=1e-300'",
-     {"static equilibrium", "singular", "out of all proportion"}},
+     {"Bodies/upper/Thickness", "'1e-300'", "out of all proportion"}},
     {"--set 'Output/Output directory=file/output'",
      {"Output/Output directory", "'file/output'", "cannot be created"}},
     {"--set 'Output/Output directory=file'",

@@ -7,7 +7,7 @@
 #include <stickslip/output/event_catalogue.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/scene_reader.h>
-#include <stickslip/simulation/fault_shapes.h>
+#include <stickslip/simulation/fault_layouts.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
@@ -71,7 +71,7 @@ namespace StickSlip::Tests
       simulation.set_up();
       EventCatalogue<2> catalogue(folder.file("events.csv"),
                                   {"fault"},
-                                  make_fault_shapes(
+                                  make_fault_layouts(
                                     simulation.spatial_problem().jump_basis()),
                                   event_start_slip_rate(scene),
                                   scene.output.event_end_fraction);

@@ -55,7 +55,7 @@ namespace StickSlip
     public:
       explicit BlockGrid(const Block<dim> &block)
         : block(block)
-        , n({block.cells[0], block.cells[dim - 1]})
+        , n{{block.cells[0], block.cells[dim - 1]}}
       {
         check_corners();
         const auto &c = block.corners;

@@ -31,7 +31,7 @@ namespace StickSlip
 
     /** The way along a fault; three dimensions have none. */
     void
-    add_way_along(const FaultShape<2>              &fault,
+    add_way_along(const FaultLayout<2>             &fault,
                   std::vector<std::vector<double>> &positions)
     {
       const std::vector<double> way = arc_lengths(fault);
@@ -40,7 +40,7 @@ namespace StickSlip
     }
 
     void
-    add_way_along(const FaultShape<3> &, std::vector<std::vector<double>> &)
+    add_way_along(const FaultLayout<3> &, std::vector<std::vector<double>> &)
     {}
 
 
@@ -49,7 +49,7 @@ namespace StickSlip
      * all faults are level. */
     template <int dim>
     std::vector<std::vector<double>>
-    positions_of(const FaultShape<dim> &fault, const bool are_level)
+    positions_of(const FaultLayout<dim> &fault, const bool are_level)
     {
       std::vector<std::vector<double>> result;
       for (const Point<dim> &point : fault.surface.points)
@@ -68,11 +68,11 @@ namespace StickSlip
 
   template <int dim>
   EventCatalogue<dim>::EventCatalogue(
-    const std::string                  &file_name,
-    const std::vector<std::string>     &fault_names,
-    const std::vector<FaultShape<dim>> &shapes,
-    const double                        start_slip_rate,
-    const double                        end_fraction)
+    const std::string                   &file_name,
+    const std::vector<std::string>      &fault_names,
+    const std::vector<FaultLayout<dim>> &shapes,
+    const double                         start_slip_rate,
+    const double                         end_fraction)
     : file(file_name)
     , file_name(file_name)
     , start_slip_rate(start_slip_rate)
@@ -85,7 +85,7 @@ namespace StickSlip
       std::all_of(shapes.begin(), shapes.end(), [](const auto &shape) {
         return shape.is_level();
       });
-    for (const FaultShape<dim> &shape : shapes)
+    for (const FaultLayout<dim> &shape : shapes)
       positions.push_back(positions_of(shape, are_level));
 
     memory.faults.resize(fault_names.size());

@@ -86,7 +86,7 @@ namespace StickSlip
 
 
     void
-    write_arc_length(const hid_t group, const FaultShape<2> &shape)
+    write_arc_length(const hid_t group, const FaultLayout<2> &shape)
     {
       const std::vector<double> lengths = arc_lengths(shape);
       describe(write_hdf5_array(group, "arc_length", {lengths.size()}, lengths),
@@ -98,7 +98,7 @@ namespace StickSlip
 
     /** Three dimensions: there is no such thing. */
     void
-    write_arc_length(const hid_t, const FaultShape<3> &)
+    write_arc_length(const hid_t, const FaultLayout<3> &)
     {}
 
 
@@ -110,7 +110,7 @@ namespace StickSlip
     public:
       FaultGroup(const hid_t                    file,
                  const FaultSnapshot<dim>      &fault,
-                 const FaultShape<dim>         &shape,
+                 const FaultLayout<dim>        &shape,
                  const std::vector<FaultField> &wanted)
         : n_nodes(fault.points.size())
         , group(create_hdf5_group(file, fault.name))
@@ -185,7 +185,7 @@ namespace StickSlip
   public:
     File(const std::string                     &file_name,
          const std::vector<FaultSnapshot<dim>> &faults,
-         const std::vector<FaultShape<dim>>    &shapes,
+         const std::vector<FaultLayout<dim>>   &shapes,
          const std::vector<FaultField>         &fields)
       : file(create_hdf5_file(file_name))
     {
@@ -218,7 +218,7 @@ namespace StickSlip
   template <int dim>
   FaultHistory<dim>::FaultHistory(const std::string &file_name,
                                   const std::vector<FaultSnapshot<dim>> &faults,
-                                  const std::vector<FaultShape<dim>>    &shapes,
+                                  const std::vector<FaultLayout<dim>>   &shapes,
                                   const std::vector<FaultField>         &fields)
   {
     AssertDimension(faults.size(), shapes.size());

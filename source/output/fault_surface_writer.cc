@@ -160,7 +160,7 @@ namespace StickSlip
     template <int dim>
     std::string
     text_of_fault(const double                   time,
-                  const FaultShape<dim>         &shape,
+                  const FaultLayout<dim>        &shape,
                   const FaultSnapshot<dim>      &fault,
                   const std::vector<FaultField> &fields)
     {
@@ -226,7 +226,7 @@ namespace StickSlip
   write_fault_surface(const std::string             &directory,
                       const unsigned int             number,
                       const double                   time,
-                      const FaultShape<dim>         &shape,
+                      const FaultLayout<dim>        &shape,
                       const FaultSnapshot<dim>      &fault,
                       const std::vector<FaultField> &fields)
   {

@@ -109,6 +109,29 @@ namespace StickSlip
 
 
 
+    /** Extents of a body that are so different that matrices are singular to
+     * rounding. */
+    template <int dim>
+    void
+    check_proportions(const BodyParameters<dim> &body)
+    {
+      constexpr double         largest_ratio = 1e6;
+      const BodyGeometry<dim> &geometry      = body.geometry;
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        {
+          const double width =
+            geometry.lateral_upper[axis] - geometry.lateral_lower[axis];
+          if (!(geometry.thickness * largest_ratio >= width &&
+                width * largest_ratio >= geometry.thickness))
+            throw InputError(
+              naming("Bodies/" + body.name + "/Thickness", geometry.thickness) +
+              ": is out of all proportion to the width along " + "xy"[axis] +
+              ", " + shortest_form(width) + " m.");
+        }
+    }
+
+
+
     /** Elevations of the fault on top of a body, and of its two ends. */
     template <int dim>
     void
@@ -161,6 +184,7 @@ namespace StickSlip
         }
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
+        check_proportions(scene.bodies[b]);
         if (scene.bodies[b].geometry.is_sloped())
           check_slope(scene.bodies[b],
                       scene.topology.is_at_fault(b, BodyMesh<dim>::upper_side));

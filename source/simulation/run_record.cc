@@ -9,7 +9,7 @@
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_writer.h>
-#include <stickslip/simulation/fault_shapes.h>
+#include <stickslip/simulation/fault_layouts.h>
 #include <stickslip/simulation/run_record.h>
 #include <unistd.h>
 
@@ -78,7 +78,7 @@ namespace StickSlip
   template <int dim>
   RunRecord<dim>::Files::Files(const SceneParameters<dim>            &scene,
                                const std::vector<FaultSnapshot<dim>> &faults,
-                               const std::vector<FaultShape<dim>>    &shapes)
+                               const std::vector<FaultLayout<dim>>   &shapes)
     : directory(prepared_directory(scene.output.directory))
     , catalogue(directory.file("events.csv"),
                 names_of(scene.faults),
@@ -117,7 +117,7 @@ namespace StickSlip
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         files = std::make_unique<Files>(scene,
                                         faults,
-                                        make_fault_shapes(space.jump_basis()));
+                                        make_fault_layouts(space.jump_basis()));
     });
   }
 
@@ -260,8 +260,8 @@ namespace StickSlip
   void
   RunRecord<dim>::write_surfaces_now(const unsigned int number)
   {
-    const std::vector<FaultShape<dim>> shapes =
-      make_fault_shapes(space.jump_basis());
+    const std::vector<FaultLayout<dim>> shapes =
+      make_fault_layouts(space.jump_basis());
     std::vector<std::string> names;
     for (unsigned int f = 0; f < shapes.size(); ++f)
       names.push_back(write_fault_surface(scene.output.directory,

@@ -4,7 +4,7 @@
 #ifndef stickslip_output_event_catalogue_h
 #define stickslip_output_event_catalogue_h
 
-#include <stickslip/output/fault_shape.h>
+#include <stickslip/output/fault_layout.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
 
@@ -116,11 +116,11 @@ namespace StickSlip
      * of it at which an event ends. @p shapes: one entry a fault. Throws
      * InputError if the file cannot be written.
      */
-    EventCatalogue(const std::string                  &file_name,
-                   const std::vector<std::string>     &fault_names,
-                   const std::vector<FaultShape<dim>> &shapes,
-                   const double                        start_slip_rate,
-                   const double                        end_fraction);
+    EventCatalogue(const std::string                   &file_name,
+                   const std::vector<std::string>      &fault_names,
+                   const std::vector<FaultLayout<dim>> &shapes,
+                   const double                         start_slip_rate,
+                   const double                         end_fraction);
 
     /**
      * Take in an accepted step; @p faults in the order of the names given

@@ -4,7 +4,7 @@
 #ifndef stickslip_output_fault_history_h
 #define stickslip_output_fault_history_h
 
-#include <stickslip/output/fault_shape.h>
+#include <stickslip/output/fault_layout.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/output_fields.h>
 
@@ -59,7 +59,7 @@ namespace StickSlip
      */
     FaultHistory(const std::string                     &file_name,
                  const std::vector<FaultSnapshot<dim>> &faults,
-                 const std::vector<FaultShape<dim>>    &shapes,
+                 const std::vector<FaultLayout<dim>>   &shapes,
                  const std::vector<FaultField>         &fields);
 
     ~FaultHistory();

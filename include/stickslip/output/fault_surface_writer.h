@@ -4,7 +4,7 @@
 #ifndef stickslip_output_fault_surface_writer_h
 #define stickslip_output_fault_surface_writer_h
 
-#include <stickslip/output/fault_shape.h>
+#include <stickslip/output/fault_layout.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/output_fields.h>
 
@@ -35,7 +35,7 @@ namespace StickSlip
   write_fault_surface(const std::string             &directory,
                       const unsigned int             number,
                       const double                   time,
-                      const FaultShape<dim>         &shape,
+                      const FaultLayout<dim>        &shape,
                       const FaultSnapshot<dim>      &fault,
                       const std::vector<FaultField> &fields);
 } // namespace StickSlip

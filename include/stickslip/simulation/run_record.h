@@ -91,7 +91,7 @@ namespace StickSlip
     {
       Files(const SceneParameters<dim>            &scene,
             const std::vector<FaultSnapshot<dim>> &faults,
-            const std::vector<FaultShape<dim>>    &shapes);
+            const std::vector<FaultLayout<dim>>   &shapes);
 
       const OutputDirectory directory;
       EventCatalogue<dim>   catalogue;

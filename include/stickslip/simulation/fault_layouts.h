@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#ifndef stickslip_simulation_fault_shapes_h
-#define stickslip_simulation_fault_shapes_h
+#ifndef stickslip_simulation_fault_layouts_h
+#define stickslip_simulation_fault_layouts_h
 
 #include <stickslip/mortar/jump_basis.h>
-#include <stickslip/output/fault_shape.h>
+#include <stickslip/output/fault_layout.h>
 
 namespace StickSlip
 {
   /** The surfaces of all faults and the axes of their nodes at the present
    * contact mapping, in the form in which they are written. */
   template <int dim>
-  std::vector<FaultShape<dim>>
-  make_fault_shapes(const JumpBasis<dim> &basis);
+  std::vector<FaultLayout<dim>>
+  make_fault_layouts(const JumpBasis<dim> &basis);
 
   /** The positions of the slave nodes of all faults after a displacement, m, by
    * fault and node. Collective. */

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/output/fault_shape.h>
+#include <stickslip/output/fault_layout.h>
 
 #include <algorithm>
 #include <limits>
@@ -30,7 +30,7 @@ namespace StickSlip
     class Ways
     {
     public:
-      explicit Ways(const FaultShape<2> &fault)
+      explicit Ways(const FaultLayout<2> &fault)
         : next(fault.surface.points.size(), none)
         , previous(next)
         , lengths(next.size())
@@ -89,7 +89,7 @@ namespace StickSlip
 
     /** The pieces of a fault: those with ends, then those without. */
     std::vector<Piece>
-    pieces(const FaultShape<2> &fault)
+    pieces(const FaultLayout<2> &fault)
     {
       const std::vector<Point<2>> &points = fault.surface.points;
       const Ways                   ways(fault);
@@ -172,7 +172,7 @@ namespace StickSlip
 
 
   std::vector<double>
-  arc_lengths(const FaultShape<2> &fault)
+  arc_lengths(const FaultLayout<2> &fault)
   {
     const std::vector<Point<2>> &points = fault.surface.points;
     AssertDimension(fault.axes.size(), points.size());

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/output/event_catalogue.h>
-#include <stickslip/output/fault_shape.h>
+#include <stickslip/output/fault_layout.h>
 
 #include <cmath>
 
@@ -16,12 +16,12 @@ namespace
 {
   /** Nodes and the faces between them; the tangent at each node is given by its
    * angle. */
-  FaultShape<2>
+  FaultLayout<2>
   shape_of(const std::vector<Point<2>>                    &points,
            const std::vector<std::array<unsigned int, 2>> &faces,
            const std::vector<double>                      &angles)
   {
-    FaultShape<2> shape;
+    FaultLayout<2> shape;
     shape.surface.points = points;
     shape.surface.faces  = faces;
     // Not level.
@@ -35,7 +35,7 @@ namespace
 
 
   void
-  expect_lengths(const FaultShape<2>       &shape,
+  expect_lengths(const FaultLayout<2>      &shape,
                  const std::vector<double> &expected)
   {
     const std::vector<double> lengths = arc_lengths(shape);
@@ -108,7 +108,7 @@ TEST(ArcLength, GoesOnBeyondCrossingsAndGaps)
 
 TEST(ArcLength, OfAPeriodicFaultIsTheWayFromItsFirstNode)
 {
-  FaultShape<2> shape =
+  FaultLayout<2> shape =
     shape_of({Point<2>(-1, 2), Point<2>(0, 2), Point<2>(2, 2)},
              {{{0, 1}}, {{1, 2}}, {{2, 0}}},
              {0, 0, 0});
@@ -122,7 +122,7 @@ TEST(ArcLength, OfAPeriodicFaultIsTheWayFromItsFirstNode)
 TEST(EventCatalogue, SaysWhereOnABentFaultAnEventBegan)
 {
   const TemporaryFolder folder;
-  const FaultShape<2>   bent =
+  const FaultLayout<2>  bent =
     shape_of({Point<2>(-3, 4), Point<2>(0, 0)}, {{{0, 1}}}, {-0.9, -0.9});
   EventCatalogue<2> catalogue(
     folder.file("events.csv"), {"main"}, {bent}, 1e-3, 0.5);

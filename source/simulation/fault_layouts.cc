@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/simulation/fault_shapes.h>
+#include <stickslip/simulation/fault_layouts.h>
 
 namespace StickSlip
 {
   template <int dim>
-  std::vector<FaultShape<dim>>
-  make_fault_shapes(const JumpBasis<dim> &basis)
+  std::vector<FaultLayout<dim>>
+  make_fault_layouts(const JumpBasis<dim> &basis)
   {
-    std::vector<FaultShape<dim>> shapes;
+    std::vector<FaultLayout<dim>> shapes;
     for (const FaultContact<dim> &fault : basis.faults())
       {
-        FaultShape<dim> shape;
+        FaultLayout<dim> shape;
         shape.surface = fault.slave_surface;
         for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
           {
@@ -49,8 +49,8 @@ namespace StickSlip
 
 
 
-  template decltype(make_fault_shapes<2>) make_fault_shapes<2>;
-  template decltype(make_fault_shapes<3>) make_fault_shapes<3>;
-  template decltype(fault_positions<2>)   fault_positions<2>;
-  template decltype(fault_positions<3>)   fault_positions<3>;
+  template decltype(make_fault_layouts<2>) make_fault_layouts<2>;
+  template decltype(make_fault_layouts<3>) make_fault_layouts<3>;
+  template decltype(fault_positions<2>)    fault_positions<2>;
+  template decltype(fault_positions<3>)    fault_positions<3>;
 } // namespace StickSlip

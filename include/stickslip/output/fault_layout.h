@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#ifndef stickslip_output_fault_shape_h
-#define stickslip_output_fault_shape_h
+#ifndef stickslip_output_fault_layout_h
+#define stickslip_output_fault_layout_h
 
 #include <stickslip/mesh/fault_surface.h>
 
@@ -15,7 +15,7 @@ namespace StickSlip
    * Place and axes of a fault, for its files.
    */
   template <int dim>
-  struct FaultShape
+  struct FaultLayout
   {
     /** The side whose nodes have the fields of a FaultSnapshot, in their
      * order. */
@@ -54,7 +54,7 @@ namespace StickSlip
    * the way includes what is between them: nothing where another fault crosses.
    */
   std::vector<double>
-  arc_lengths(const FaultShape<2> &fault);
+  arc_lengths(const FaultLayout<2> &fault);
 } // namespace StickSlip
 
 #endif
