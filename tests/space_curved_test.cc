@@ -437,6 +437,34 @@ TEST(CurvedFault, AWeldedWaveOfMatchingMeshesIsExact)
 
 
 
+// Built-in bodies, whose cells grow with the distance from the fault.
+TEST(CurvedFault, AWeldedWaveOfGradedBricksIsExact)
+{
+  std::vector<CoarseBody<2>> bodies;
+  for (const unsigned int b : {0, 1})
+    {
+      BodyGeometry<2> brick;
+      brick.lateral_lower[0]  = 0.;
+      brick.lateral_upper[0]  = 1.;
+      brick.base              = b == 0 ? -0.5 : 0.;
+      brick.thickness         = 0.5;
+      brick.coarse_cells      = {{8, 4}};
+      brick.refinement_passes = 3;
+      (b == 0 ? brick.upper_elevation : brick.lower_elevation) =
+        [](const Point<2> &x) { return wave(x[0]); };
+      bodies.push_back(coarse_brick(brick));
+    }
+  HeldBodies held(bodies,
+                  stack_topology<2>({"lower", "upper"}, {"main"}),
+                  around,
+                  linear);
+  held.solve(1e-13, everywhere);
+  EXPECT_LT(held.displacement_error(), 1e-11);
+  EXPECT_LT(held.energy_error(), 1e-10);
+}
+
+
+
 // Half of the fault is stuck, the other slides freely.
 TEST(CurvedFault, IterationsAreThoseOfALevelFault)
 {

@@ -160,9 +160,12 @@ namespace StickSlip
         for (unsigned int pass = 0; pass < body.refinement_passes; ++pass)
           refine_at(sides_at_faults, body.refine_where, *refined);
       }
+    if (has_shapes(*refined))
+      {
+        straighten_hanging_vertices(*refined);
+        refuse_inverted_cells(*refined);
+      }
     mesh = refined;
-    if (has_shapes(*mesh))
-      refuse_inverted_cells(*mesh);
     distribute_dofs();
   }
 
@@ -203,6 +206,8 @@ namespace StickSlip
     refine_less(*refined, *finer.mesh);
     AssertThrow(refined->n_active_cells() < finer.mesh->n_active_cells(),
                 ExcMessage("The mesh of a body could not be coarsened."));
+    if (has_shapes(*refined))
+      straighten_hanging_vertices(*refined);
     mesh = refined;
     distribute_dofs();
   }

@@ -295,6 +295,40 @@ namespace StickSlip
 
   template <int dim>
   void
+  straighten_hanging_vertices(Triangulation<dim> &mesh)
+  {
+    const auto straighten_line = [](const auto &line) {
+      if (line->has_children())
+        line->child(0)->vertex(1) =
+          0.5 * (line->vertex(0) + Tensor<1, dim>(line->vertex(1)));
+    };
+    // Ends of edges may hang on those of larger cells, which come first.
+    for (unsigned int level = 0; level + 1 < mesh.n_levels(); ++level)
+      for (const auto &cell : mesh.active_cell_iterators_on_level(level))
+        for (const auto &face : cell->face_iterators())
+          {
+            if (!face->has_children())
+              continue;
+            if constexpr (dim == 2)
+              straighten_line(face);
+            else
+              {
+                for (unsigned int l = 0; l < face->n_lines(); ++l)
+                  straighten_line(face->line(l));
+                Tensor<1, dim> mean;
+                for (const auto v : face->vertex_indices())
+                  mean += face->vertex(v) / face->n_vertices();
+                // The last vertex of the first part is in the middle.
+                face->child(0)->vertex(face->n_vertices() - 1) =
+                  Point<dim>(mean);
+              }
+          }
+  }
+
+
+
+  template <int dim>
+  void
   refuse_inverted_cells(const Triangulation<dim> &mesh)
   {
     for (const auto &cell : mesh.active_cell_iterators())
@@ -327,13 +361,15 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                         \
-  template class GraphShape<dim>;                                          \
-  template decltype(set_shapes<dim>)            set_shapes<dim>;           \
-  template decltype(has_shapes<dim>)            has_shapes<dim>;           \
-  template decltype(move_onto_shapes<dim>)      move_onto_shapes<dim>;     \
-  template decltype(shapes_of_body<dim>)        shapes_of_body<dim>;       \
-  template decltype(refuse_inverted_cell<dim>)  refuse_inverted_cell<dim>; \
+#define STICKSLIP_INSTANTIATE(dim)                                               \
+  template class GraphShape<dim>;                                                \
+  template decltype(set_shapes<dim>)       set_shapes<dim>;                      \
+  template decltype(has_shapes<dim>)       has_shapes<dim>;                      \
+  template decltype(move_onto_shapes<dim>) move_onto_shapes<dim>;                \
+  template decltype(shapes_of_body<dim>)   shapes_of_body<dim>;                  \
+  template decltype(straighten_hanging_vertices<dim>)                            \
+                                               straighten_hanging_vertices<dim>; \
+  template decltype(refuse_inverted_cell<dim>) refuse_inverted_cell<dim>;        \
   template decltype(refuse_inverted_cells<dim>) refuse_inverted_cells<dim>;
 
   STICKSLIP_INSTANTIATE(2)

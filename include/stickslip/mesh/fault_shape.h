@@ -107,6 +107,12 @@ namespace StickSlip
     const FaultTopology                                       &topology,
     const std::vector<std::shared_ptr<const FaultShape<dim>>> &shapes);
 
+  /** Move hanging vertices inside of a body to the middle of what they hang on,
+   * where the functions that are bound there are continuous. */
+  template <int dim>
+  void
+  straighten_hanging_vertices(Triangulation<dim> &mesh);
+
   /** Throw InputError: a fault bends too much for the cells at it. */
   template <int dim>
   [[noreturn]] void
