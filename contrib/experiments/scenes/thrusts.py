@@ -17,8 +17,6 @@ YEAR = 365 * 86400.0
 # m/s: what counts as seismic.
 SEISMIC = 1e-3
 LISTRIC, SEQUENCE = "listric_thrust", "thrust_sequence"
-# Corners of a cell are written row by row.
-RING = [0, 1, 3, 2]
 
 
 class Sequence:
@@ -90,7 +88,12 @@ def coseismic(sequence, event):
     after = min(np.searchsorted(time, sequence.events["end"][event] + 60),
                 len(paths) - 1)
     first, last = Volume(paths[before]), Volume(paths[after])
-    return first.points[:, RING], (last.displacement() - first.displacement())[:, RING]
+    # Corners go round the cell.
+    from_centre = first.points - first.points.mean(axis=1, keepdims=True)
+    order = np.argsort(np.arctan2(from_centre[..., 1], from_centre[..., 0]), axis=1)
+    moved = last.displacement() - first.displacement()
+    return (np.take_along_axis(values, order[..., None], axis=1)
+            for values in (first.points, moved))
 
 
 def draw_displacement(axes, sequence, event):
@@ -124,7 +127,7 @@ def draw_slip(axes, sequence):
     axes.plot([], [], color=VERMILION, linewidth=0.8, label="every 5 s of events")
     axes.set(ylim=(min(distance[-1], 30), 0), xlim=(0, None), xlabel="slip [m]",
              ylabel="down the dip [km]")
-    axes.legend(loc="lower right")
+    axes.legend(loc="upper right")
     title(axes, "Slip of the hanging wall up the dip")
 
 
