@@ -104,7 +104,8 @@ namespace StickSlip
   template <int dim>
   FaultAxes<dim>::FaultAxes(const std::vector<Tensor<1, dim>> &normals,
                             const Tensor<1, dim>              &reference)
-    : normals(normals)
+    : reference(reference)
+    , normals(normals)
   {
     // Surfaces that are level have normals that are so to the last bit.
     if (normals.size() == 1 && std::abs(normals[0][dim - 1]) == 1. &&
@@ -134,6 +135,7 @@ namespace StickSlip
     if (normals.size() == 1)
       return *this;
     FaultAxes result;
+    result.reference = reference;
     for (const unsigned int k : places)
       {
         result.normals.push_back(normals[k]);

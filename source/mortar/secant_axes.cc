@@ -64,12 +64,14 @@ namespace StickSlip
     /** The axes of a fault with these normals out of its slave side. */
     template <int dim>
     FaultAxes<dim>
-    axes_of(std::vector<Tensor<1, dim>> normals, const FaultSides &sides)
+    axes_of(std::vector<Tensor<1, dim>> normals,
+            const FaultSides           &sides,
+            const Tensor<1, dim>       &reference)
     {
       if (sides.slave_is_second())
         for (Tensor<1, dim> &normal : normals)
           normal *= -1.;
-      return FaultAxes<dim>(normals);
+      return FaultAxes<dim>(normals, reference);
     }
   } // namespace
 
@@ -82,7 +84,8 @@ namespace StickSlip
                   const FaultSides                      &sides,
                   const FaultDisplacement<dim>          &displacement,
                   const std::vector<Tensor<1, dim - 1>> &expected_slip,
-                  const double                           farthest)
+                  const double                           farthest,
+                  const Tensor<1, dim>                  &reference)
   {
     const FaultSurface<dim> slave_now =
       moved_surface(slave, sum(slave.points, displacement.slave));
@@ -97,7 +100,7 @@ namespace StickSlip
     const std::vector<double>   gaps    = gaps_at(slave_now.points);
     std::vector<Tensor<1, dim>> normals = nodal_normals(slave_now);
 
-    SecantCoupling<dim> result{axes_of(normals, sides),
+    SecantCoupling<dim> result{axes_of(normals, sides, reference),
                                displacement,
                                largest(gaps, slave)};
     if (expected_slip.empty() || farthest == 0.)
@@ -129,7 +132,7 @@ namespace StickSlip
         normals[k] += slope / farthest * slip[k];
         normals[k] /= normals[k].norm();
       }
-    result.axes = axes_of(normals, sides);
+    result.axes = axes_of(normals, sides, reference);
     return result;
   }
 
@@ -143,7 +146,8 @@ namespace StickSlip
     const FaultSides &,                              \
     const FaultDisplacement<dim> &,                  \
     const std::vector<Tensor<1, dim - 1>> &,         \
-    const double);
+    const double,                                    \
+    const Tensor<1, dim> &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -165,8 +165,14 @@ namespace StickSlip
           continue;
         try
           {
-            SecantCoupling<dim> coupling = secant_coupling(
-              slave, master, sides[f], displacements[f], slip, farthest);
+            SecantCoupling<dim> coupling =
+              secant_coupling(slave,
+                              master,
+                              sides[f],
+                              displacements[f],
+                              slip,
+                              farthest,
+                              axes_now[f].reference_axis());
             axes_now[f]      = std::move(coupling.axes);
             displacements[f] = std::move(coupling.displacement);
             gaps[f]          = coupling.gap;

@@ -76,6 +76,13 @@ namespace StickSlip
                                     components[normal_component];
     }
 
+    /** The axis that is projected onto the fault for the first tangent. */
+    const Tensor<1, dim> &
+    reference_axis() const
+    {
+      return reference;
+    }
+
     /** The axes at nodes that are at the @p places of some of these. */
     FaultAxes
     at_places(const std::vector<unsigned int> &places) const;
@@ -85,6 +92,8 @@ namespace StickSlip
     first_axis();
 
   private:
+    Tensor<1, dim> reference = first_axis();
+
     /** One entry for all nodes where these agree. */
     std::vector<Tensor<1, dim>> normals;
     std::vector<Tensor<2, dim>> axes;

@@ -69,17 +69,20 @@ namespace StickSlip
    * less the slower it is, and those that are stuck do not tilt. No slope is
    * larger than largest_tilt.
    *
-   * Throws InputError if an axis of reference comes too near to a normal, and
-   * ExcMessage as moved_surface() does.
+   * Tangents follow from the @p reference axis as in FaultAxes. Throws
+   * InputError if it comes too near to a normal, and ExcMessage as
+   * moved_surface() does.
    */
   template <int dim>
   SecantCoupling<dim>
-  secant_coupling(const FaultSurface<dim>               &slave,
-                  const FaultSurface<dim>               &master,
-                  const FaultSides                      &sides,
-                  const FaultDisplacement<dim>          &displacement,
-                  const std::vector<Tensor<1, dim - 1>> &expected_slip,
-                  const double                           farthest);
+  secant_coupling(
+    const FaultSurface<dim>               &slave,
+    const FaultSurface<dim>               &master,
+    const FaultSides                      &sides,
+    const FaultDisplacement<dim>          &displacement,
+    const std::vector<Tensor<1, dim - 1>> &expected_slip,
+    const double                           farthest,
+    const Tensor<1, dim> &reference = FaultAxes<dim>::first_axis());
 
 } // namespace StickSlip
 
