@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <filesystem>
 
 #include "endless_layers.h"
 #include "error_message.h"
@@ -221,6 +221,89 @@ TEST(BackgroundStress, DependsOnThePosition)
                   1e-7);
       EXPECT_NEAR(fault.shear_traction[k][0], 1e3 * x, 1e-7);
     }
+}
+
+
+
+TEST(BackgroundStress, VariesAlongAFaultThatBends)
+{
+  // The disc in a ring: the normal is along the radius.
+  const TemporaryFolder folder;
+  std::filesystem::copy(STICKSLIP_SOURCE_DIR "/tests/meshes/ring.msh",
+                        folder.file("ring.msh"));
+  const std::string text = R"(
+subsection Bodies
+  set Names     = disc, ring
+  set Mesh file = ring.msh
+end
+subsection Faults
+  set Names = fault
+  subsection fault
+    set Between           = disc, ring
+    set Background stress = -1e4, -3e4, 2e3
+  end
+end
+subsection Boundary conditions
+  set Sides = ring outside
+  subsection ring outside
+    set x condition = fixed
+    set y condition = fixed
+  end
+end
+subsection Gravity
+  set Acceleration = 0
+end
+subsection Output
+  set Event start slip rate = 1
+end
+)";
+  Simulation<2>     simulation(
+    SceneReader(folder.write("ring.prm", text)).read<2>(), MPI_COMM_WORLD);
+  simulation.set_up();
+  const FaultSnapshot<2> fault = snapshots(simulation).front();
+  double                 error = 0;
+  for (unsigned int k = 0; k < fault.points.size(); ++k)
+    {
+      const Tensor<1, 2> n = fault.points[k] / fault.points[k].norm();
+      const double       normal_stress =
+        1e4 * n[0] * n[0] + 3e4 * n[1] * n[1] - 4e3 * n[0] * n[1];
+      // Along (n_y, -n_x).
+      const double shear =
+        2e4 * n[0] * n[1] + 2e3 * (n[1] * n[1] - n[0] * n[0]);
+      error = std::max(error, std::abs(fault.normal_stress[k] - normal_stress));
+      error = std::max(error, std::abs(fault.shear_traction[k][0] - shear));
+    }
+  std::cout << fault.points.size() << " nodes, largest error " << error
+            << " Pa\n";
+  EXPECT_LT(error, 1e-6);
+}
+
+
+
+TEST(BackgroundStress, IsThereWhenARunGoesOn)
+{
+  const TemporaryFolder    folder;
+  const SceneParameters<2> scene =
+    sheared_layers({"Faults/fault/Background stress=0, -1e4, 5500 + 100 * x",
+                    "Boundary conditions/upper top/x value=1e3 * sin(20 * t)",
+                    "Time/End time=0.02"});
+  Simulation<2> kept(scene, MPI_COMM_WORLD), resumed(scene, MPI_COMM_WORLD);
+  kept.set_up();
+  for (unsigned int step = 0; step < 5; ++step)
+    kept.advance();
+  kept.write_state(folder.file("state"));
+  resumed.resume(folder.file("state"));
+  finish(kept);
+  finish(resumed);
+  const FaultSnapshot<2> a = snapshots(kept).front(),
+                         b = snapshots(resumed).front();
+  for (unsigned int k = 0; k < a.points.size(); ++k)
+    {
+      EXPECT_EQ(b.slip_rate[k][0], a.slip_rate[k][0]);
+      EXPECT_EQ(b.shear_traction[k][0], a.shear_traction[k][0]);
+    }
+  EXPECT_EQ(resumed.energy_balance()->work().loads,
+            kept.energy_balance()->work().loads);
 }
 
 

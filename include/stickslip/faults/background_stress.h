@@ -16,8 +16,8 @@ namespace StickSlip
    * carry: it acts on faults only. With the normal n and the tangents t of a
    * slave node it adds -n.S n to the normal stress of friction, and t.S n to
    * the shear traction that drives the slip of the second side relative to the
-   * first. It stays as it is at the nodes' reference positions, whatever the
-   * slip.
+   * first. It is that of the nodes' reference positions, whatever the
+   * slip, resolved along the axes that the basis has.
    */
   template <int dim>
   class BackgroundStress
