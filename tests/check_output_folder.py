@@ -122,22 +122,24 @@ def check_faults(folder, faults):
                 yield f"{name}: the last records have different largest slip rates"
 
 
-def check_volume(folder):
-    """Yield what is wrong with solution.pvd and its files."""
+def check_fields(folder):
+    """Yield what is wrong with solution.pvd and faults.pvd and their files."""
     row = last_row(folder)
-    entries = list(xml.etree.ElementTree.parse(folder / "solution.pvd").iter("DataSet"))
-    if not entries:
-        yield "solution.pvd lists nothing"
-        return
-    times = [float(entry.attrib["timestep"]) for entry in entries]
-    if times != sorted(times):
-        yield "the times in solution.pvd do not grow"
-    if row is not None and not math.isclose(times[-1], row["time"], rel_tol=1e-9):
-        yield f"solution.pvd ends at {times[-1]}, the table at {row['time']}"
-    listed = {entry.attrib["file"] for entry in entries}
+    listed = set()
+    for record in ("solution.pvd", "faults.pvd"):
+        entries = list(xml.etree.ElementTree.parse(folder / record).iter("DataSet"))
+        if not entries:
+            yield f"{record} lists nothing"
+            return
+        times = [float(entry.attrib["timestep"]) for entry in entries]
+        if times != sorted(times):
+            yield f"the times in {record} do not grow"
+        if row is not None and not math.isclose(times[-1], row["time"], rel_tol=1e-9):
+            yield f"{record} ends at {times[-1]}, the table at {row['time']}"
+        listed |= {entry.attrib["file"] for entry in entries}
     present = {path.name for path in folder.glob("*.vtu")}
     if listed != present:
-        yield f"solution.pvd lists {sorted(listed)}, there are {sorted(present)}"
+        yield f"{sorted(listed)} are listed, there are {sorted(present)}"
     for name in sorted(listed & present):
         root = xml.etree.ElementTree.parse(folder / name).getroot()
         if root.tag != "VTKFile" or root.find(".//Points") is None:
@@ -168,7 +170,7 @@ def check(folder, faults):
     summary = summary_of(folder)
     yield from check_time_series(folder, faults, summary)
     yield from check_faults(folder, faults)
-    yield from check_volume(folder)
+    yield from check_fields(folder)
     yield from check_events(folder, faults, summary)
     leftovers = [path.name for path in folder.iterdir() if path.suffix == ".tmp"]
     if leftovers:

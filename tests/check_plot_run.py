@@ -6,11 +6,14 @@
 Usage: check_plot_run.py PLOT_RUN [OUTPUT_DIRECTORY]
 
 Writes the files of a made-up run, with periodic events that start in the
-middle of the fault, and has them drawn; likewise a run without events, and one
-in three dimensions. A missing file must give one sentence and status 1. With
+middle of the fault, and has them drawn; likewise a run without events, one of a
+level fault as older files have it, one of a ring, several faults in one figure,
+and faults in three dimensions. Ways along strike and down dip are compared with
+those on a cylinder. A missing file must give one sentence and status 1. With
 OUTPUT_DIRECTORY the made-up run is kept there.
 """
 
+import importlib.util
 import pathlib
 import subprocess
 import sys
@@ -45,30 +48,61 @@ def slip_rate(t, x):
     return background + 2e-2 * np.exp(-((distance - 0.02) / 0.01) ** 2)
 
 
-def write_run(directory, with_events=True, dim=2):
+def curve(shape, x):
+    """Positions, axes and ways along a fault in two dimensions, by x."""
+    if shape == "ring":
+        radius = 5.0 / (2 * np.pi)
+        angle = x / radius
+        points = radius * np.stack((np.sin(angle), np.cos(angle)), axis=1)
+        tangents = np.stack((np.cos(angle), -np.sin(angle)), axis=1)
+    else:
+        points, tangents = np.stack((x, 0 * x), axis=1), np.tile([1.0, 0.0], (len(x), 1))
+    normals = np.stack((-tangents[:, 1], tangents[:, 0]), axis=1)
+    return points, np.stack((tangents, normals), axis=1), x - x[0]
+
+
+def surface(dip, x):
+    """Nodes, faces and axes of a fault in space of two rows of squares, whose normal
+    is inclined by an angle."""
+    y = np.linspace(0.0, 1.0, 3)
+    u, v = np.meshgrid(x, y)
+    points = np.stack(
+        (u.ravel(), np.cos(dip) * v.ravel(), np.sin(dip) * v.ravel()), axis=1)
+    axes = np.array([[1.0, 0, 0], [0, np.cos(dip), np.sin(dip)],
+                     [0, -np.sin(dip), np.cos(dip)]])
+    n = len(x)
+    faces = [[row * n + i, row * n + i + 1, (row + 1) * n + i + 1, (row + 1) * n + i]
+             for row in range(2) for i in range(n - 1)]
+    return points, np.array(faces), np.tile(axes, (len(points), 1, 1))
+
+
+def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip=0.0):
     x = np.linspace(-2.5, 2.5, 41)
     t = np.concatenate((
         np.linspace(0.0, FIRST, 100, endpoint=False),
         np.arange(FIRST, 30.0 if with_events else FIRST + 1e-9, 5e-3),
     ))
     rate = slip_rate(t, x)
-    points = np.stack([x] + [np.zeros_like(x)] * (dim - 1), axis=1)
     if dim == 3:
-        points = np.concatenate((points, points + [0.0, 1.0, 0.0]))
-        rate = np.concatenate((rate, 0.5 * rate), axis=1)
+        points, faces, axes = surface(dip, x)
+        rate = np.concatenate((rate, 0.5 * rate, 0.25 * rate), axis=1)
+    else:
+        points, axes, along = curve(shape, x)
+        faces = np.stack((np.arange(40), np.arange(1, 41)), axis=1)
     weight = np.full(len(points), 5.0 / len(points))
+    names = [FAULT] + [f"{FAULT}{k}" for k in range(2, n_faults + 1)]
 
     values = np.stack((
         rate.max(axis=1), rate.mean(axis=1), rate.min(axis=1), 2e-4 * t,
         1.0 + 0 * t, 2.5e4 + 0 * t,
     ), axis=1)
     with open(directory / "time_series.csv", "w", encoding="utf-8") as file:
-        columns = [f"{FAULT}.{name}" for name in FAULT_SERIES]
+        columns = [f"{fault}.{name}" for fault in names for name in FAULT_SERIES]
         file.write(",".join([SERIES] + columns) + "\n")
         for i, row in enumerate(values):
             step = t[i] - t[i - 1] if i else 1e-3
             file.write(f"{i},{t[i]:.17g},{step:.17g},{2 + i % 3},{4 + i % 5},{12 + i % 9},")
-            file.write(",".join(f"{v:.17g}" for v in row) + "\n")
+            file.write(",".join(f"{v:.17g}" for v in list(row) * n_faults) + "\n")
     with open(directory / "events.csv", "w", encoding="utf-8") as file:
         file.write(EVENTS + "\n")
         for start in np.arange(FIRST, 30.0 - 0.2, PERIOD) if with_events else ():
@@ -82,25 +116,64 @@ def write_run(directory, with_events=True, dim=2):
     else:
         vectors[...] = rate
     with h5py.File(directory / "faults.h5", "w") as file:
-        group = file.create_group(FAULT)
-        group["coordinates"], group["weight"], group["time"] = points, weight, t
-        group["slip_rate"] = vectors
-        group["slip"] = np.zeros(shape)
-        group["shear_traction"] = np.zeros(shape)
-        group["state"] = np.ones(rate.shape)
-        group["normal_stress"] = np.full(rate.shape, 4.9e4)
+        for name in names:
+            group = file.create_group(name)
+            group["coordinates"], group["weight"], group["time"] = points, weight, t
+            group["slip_rate"] = vectors
+            group["slip"] = np.cumsum(1e-3 * vectors, axis=0)
+            group["shear_traction"] = 1e3 * vectors
+            group["state"] = np.ones(rate.shape)
+            group["normal_stress"] = np.full(rate.shape, 4.9e4)
+            if shape == "old":
+                continue
+            group["faces"], group["axes"] = faces, axes
+            if dim == 2:
+                group["arc_length"] = along
 
 
-def plot(script, directory):
+def plot(script, directory, *options):
     return subprocess.run(
-        [sys.executable, script, str(directory)], capture_output=True, text=True
+        [sys.executable, script, str(directory), *options],
+        capture_output=True, text=True
     )
+
+
+def check_unfolding(script):
+    """Ways on a quarter of a cylinder whose axis is inclined in its plane, of triangles
+    and squares; what is wrong with them."""
+    specification = importlib.util.spec_from_file_location("plot_run", script)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    radius, n, m = 3.0, 41, 11
+    angle, z = np.meshgrid(np.linspace(0.3, 0.3 + np.pi / 2, n),
+                           np.linspace(-2.0, 0.0, m))
+    angle, z = angle.ravel(), z.ravel()
+    out = np.stack((np.cos(angle), np.sin(angle), 0 * z), axis=1)
+    points = radius * out + np.stack((0 * z, 0 * z, z), axis=1)
+    strike = np.stack((-np.sin(angle), np.cos(angle), 0 * z), axis=1)
+    axes = np.stack((strike, np.tile([0, 0, 1.0], (len(z), 1)), out), axis=1)
+    faces = []
+    for row in range(m - 1):
+        for i in range(n - 1):
+            a, b, c, d = (row * n + i, row * n + i + 1, (row + 1) * n + i + 1,
+                          (row + 1) * n + i)
+            faces += [[a, b, c, d]] if i % 2 else [[a, b, c, -1], [a, c, d, -1]]
+    ways = module.unfolded(points, np.array(faces), axes)
+    along = radius * (angle - 0.3)
+    for found, expected, what in ((ways[:, 0], along, "strike"),
+                                  (ways[:, 1], -z, "dip")):
+        # Chords are shorter than arcs by this much.
+        error = min(np.abs(found - expected).max(),
+                    np.abs(found - expected.max() + expected).max())
+        if error > 1e-3 * radius:
+            return f"ways along {what} on a cylinder are off by {error} m"
+    return None
 
 
 def check(script, directory, **options):
     """Draw one made-up run; return what is wrong with the figure, if anything."""
     write_run(directory, **options)
-    run = plot(script, directory)
+    run = plot(script, directory, "--fault", "all")
     if run.returncode != 0 or run.stderr:
         return f"{options}: status {run.returncode}: {run.stderr}"
     image = matplotlib.image.imread(directory / "run.png")[..., :3]
@@ -115,10 +188,12 @@ def check(script, directory, **options):
 
 def main():
     script = sys.argv[1]
-    errors = []
+    errors = [check_unfolding(script)]
     with tempfile.TemporaryDirectory() as name:
         for i, options in enumerate((
-            {}, {"with_events": False}, {"dim": 3},
+            {}, {"with_events": False}, {"shape": "old"}, {"shape": "ring"},
+            {"shape": "ring", "n_faults": 3}, {"dim": 3}, {"dim": 3, "dip": 0.5},
+            {"dim": 3, "dip": np.pi / 2, "with_events": False},
         )):
             directory = pathlib.Path(name, str(i))
             directory.mkdir()

@@ -26,7 +26,7 @@ TEST(LongSpringSlider, GivesThePublishedEvents)
       EXPECT_GT(event.peak_mean_slip_rate, 5e-4);
       EXPECT_LT(event.peak_mean_slip_rate, 1e-2);
       fastest_node = std::max(fastest_node, event.peak_slip_rate);
-      n_central += std::abs(event.nucleation_x) < 1. ? 1 : 0;
+      n_central += std::abs(event.nucleation[0]) < 1. ? 1 : 0;
     }
   EXPECT_GT(fastest_node, 1e-2);
   EXPECT_GT(2 * n_central, run.events.size());
@@ -107,12 +107,14 @@ namespace
                                             "fault3",
                                             "fault4"};
     const TemporaryFolder          folder;
-    EventCatalogue<2>              catalogue(folder.file("events.csv"),
-                                names,
-                                event_start_slip_rate(scene),
-                                scene.output.event_end_fraction);
     Simulation<2>                  simulation(scene, MPI_COMM_WORLD);
     simulation.set_up();
+    EventCatalogue<2> catalogue(folder.file("events.csv"),
+                                names,
+                                make_fault_shapes(
+                                  simulation.spatial_problem().jump_basis()),
+                                event_start_slip_rate(scene),
+                                scene.output.event_end_fraction);
     catalogue.add(0., snapshots(simulation, names));
     FirstEvent result;
     while (!simulation.is_finished())
@@ -129,7 +131,7 @@ namespace
     for (const SlipEvent &event : catalogue.events())
       {
         EXPECT_EQ(event.fault, "fault4");
-        EXPECT_NEAR(event.nucleation_x, -0.5, 0.1);
+        EXPECT_NEAR(event.nucleation[0], -0.5, 0.1);
         result.start                  = event.start;
         result.largest_mean_slip_rate = event.peak_mean_slip_rate;
       }

@@ -101,6 +101,7 @@ TEST(OutputDirectory, RemovesEarlierResultsAndNothingElse)
   for (const char *name : {"time_series.csv",
                            "faults.h5",
                            "solution-0012.vtu",
+                           "fault_main_00003.vtu",
                            "notes.txt",
                            "other.vtu"})
     folder.write(name, "old");
@@ -108,6 +109,7 @@ TEST(OutputDirectory, RemovesEarlierResultsAndNothingElse)
   EXPECT_FALSE(std::filesystem::exists(folder.file("time_series.csv")));
   EXPECT_FALSE(std::filesystem::exists(folder.file("faults.h5")));
   EXPECT_FALSE(std::filesystem::exists(folder.file("solution-0012.vtu")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("fault_main_00003.vtu")));
   EXPECT_TRUE(std::filesystem::exists(folder.file("notes.txt")));
   EXPECT_TRUE(std::filesystem::exists(folder.file("other.vtu")));
 }
@@ -152,8 +154,8 @@ TEST(PvdRecord, ListsAllFilesAfterEachAddition)
 {
   const TemporaryFolder folder;
   PvdRecord             record(folder.file("solution.pvd"));
-  record.add(0, "solution-0000.vtu");
-  record.add(1. / 3, "solution-0001.vtu");
+  record.add(0, {"solution-0000.vtu"});
+  record.add(1. / 3, {"a.vtu", "b.vtu"});
   EXPECT_EQ(content_of(folder.file("solution.pvd")),
             "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -162,7 +164,9 @@ TEST(PvdRecord, ListsAllFilesAfterEachAddition)
             "    <DataSet timestep=\"0\" group=\"\" part=\"0\" "
             "file=\"solution-0000.vtu\"/>\n"
             "    <DataSet timestep=\"0.33333333333333331\" group=\"\" "
-            "part=\"0\" file=\"solution-0001.vtu\"/>\n"
+            "part=\"0\" file=\"a.vtu\"/>\n"
+            "    <DataSet timestep=\"0.33333333333333331\" group=\"\" "
+            "part=\"1\" file=\"b.vtu\"/>\n"
             "  </Collection>\n"
             "</VTKFile>\n");
 }

@@ -9,6 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <numeric>
+
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -41,8 +43,36 @@ namespace
         fault.normal_stress.push_back(1e4 + vector[0]);
         fault.state.push_back(vector[0] + 0.5);
         fault.contact_pressure.push_back(2e4 + vector[0]);
+        fault.positions.push_back((1. + record) * point);
       }
     return fault;
+  }
+
+
+
+  // A row of faces between the nodes, and axes that tell node and entry.
+  template <int dim>
+  FaultShape<dim>
+  numbered_shape(const unsigned int n_nodes)
+  {
+    FaultShape<dim> shape;
+    shape.surface.points     = numbered_fault<dim>("", n_nodes, 0).points;
+    constexpr unsigned int n = FaultSurface<dim>::n_vertices;
+    for (unsigned int p = 0; p + n <= n_nodes; ++p)
+      {
+        std::array<unsigned int, n> face;
+        std::iota(face.begin(), face.end(), p);
+        shape.surface.faces.push_back(face);
+      }
+    for (unsigned int p = 0; p < n_nodes; ++p)
+      {
+        Tensor<2, dim> axes;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int i = 0; i < dim; ++i)
+            axes[d][i] = 100 * p + 10 * i + d;
+        shape.axes.push_back(axes);
+      }
+    return shape;
   }
 
 
@@ -129,6 +159,7 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
     FaultHistory<2> history(folder.file("faults.h5"),
                             {numbered_fault<2>("lower", 4, 0),
                              numbered_fault<2>("upper", 161, 0)},
+                            {numbered_shape<2>(4), numbered_shape<2>(161)},
                             all_fields());
     for (unsigned int i = 0; i < n_records; ++i)
       history.add(0.1 * i,
@@ -158,7 +189,11 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
     {"normal_stress", "Pa"},
     {"state", "s"},
     {"contact_pressure", "Pa"},
-    {"contact_weight", "m"}};
+    {"contact_weight", "m"},
+    {"position", "m"},
+    {"faces", "1"},
+    {"axes", "1"},
+    {"arc_length", "m"}};
   for (const auto &[name, unit] : units)
     {
       EXPECT_EQ(read_attribute(file, "upper/" + name, "units"), unit);
@@ -183,6 +218,15 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
   EXPECT_EQ(read_array(file, "lower/contact_pressure").values[4 * 7 + 2],
             20702);
   EXPECT_EQ(read_array(file, "lower/contact_weight").values[4 * 7 + 2], 2.5);
+  const Array position = read_array(file, "lower/position");
+  ASSERT_EQ(position.shape, (std::vector<hsize_t>{n_records, 4, 2}));
+  EXPECT_EQ(position.values[2 * (4 * 7 + 2) + 1], 8 * 2.1);
+  const Array faces = read_array(file, "lower/faces");
+  EXPECT_EQ(faces.shape, (std::vector<hsize_t>{3, 2}));
+  EXPECT_EQ(faces.values, (std::vector<double>{0, 1, 1, 2, 2, 3}));
+  const Array axes = read_array(file, "lower/axes");
+  ASSERT_EQ(axes.shape, (std::vector<hsize_t>{4, 2, 2}));
+  EXPECT_EQ(axes.values[4 * 3 + 2 * 1 + 0], 310);
 }
 
 
@@ -190,9 +234,13 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
 TEST(FaultHistory, HasTwoComponentsInThreeDimensions)
 {
   const TemporaryFolder folder;
+  FaultShape<3>         shape = numbered_shape<3>(5);
+  shape.surface.faces         = {{{0, 1, 2, 3}},
+                                 {{2, 3, 4, numbers::invalid_unsigned_int}}};
   {
     FaultHistory<3> history(folder.file("faults.h5"),
                             {numbered_fault<3>("main", 5, 0)},
+                            {shape},
                             all_fields());
     history.add(1, {numbered_fault<3>("main", 5, 1)});
   }
@@ -201,6 +249,12 @@ TEST(FaultHistory, HasTwoComponentsInThreeDimensions)
   EXPECT_EQ(slip.shape, (std::vector<hsize_t>{1, 5, 2}));
   EXPECT_EQ(slip.values[2 * 3 + 1], 103.1);
   EXPECT_EQ(read_attribute(file, "main/weight", "units"), "m^2");
+  // One after the other around each face.
+  const Array faces = read_array(file, "main/faces");
+  EXPECT_EQ(faces.shape, (std::vector<hsize_t>{2, 4}));
+  EXPECT_EQ(faces.values, (std::vector<double>{0, 1, 3, 2, 2, 3, 4, -1}));
+  EXPECT_EQ(read_array(file, "main/axes").shape,
+            (std::vector<hsize_t>{5, 3, 3}));
 }
 
 
@@ -211,6 +265,7 @@ TEST(FaultHistory, HoldsWhatIsAskedFor)
   {
     FaultHistory<2> history(folder.file("faults.h5"),
                             {numbered_fault<2>("main", 3, 0)},
+                            {numbered_shape<2>(3)},
                             {FaultField::state});
     history.add(0.5, {numbered_fault<2>("main", 3, 1)});
   }
@@ -220,8 +275,8 @@ TEST(FaultHistory, HoldsWhatIsAskedFor)
                          H5Gclose,
                          "open main");
   ASSERT_GE(H5Gget_info(group, &info), 0);
-  // With coordinates, weight and time.
-  EXPECT_EQ(info.nlinks, 4u);
+  // With coordinates, weight, time, faces, axes and arc length.
+  EXPECT_EQ(info.nlinks, 7u);
   EXPECT_EQ(read_array(file, "main/state").values.back(), 102.5);
 }
 
@@ -232,6 +287,7 @@ TEST(FaultHistory, CanBeReadWhileItGrows)
   const TemporaryFolder folder;
   FaultHistory<2>       history(folder.file("faults.h5"),
                           {numbered_fault<2>("main", 3, 0)},
+                          {numbered_shape<2>(3)},
                           all_fields());
   for (unsigned int i = 0; i < 5; ++i)
     {
@@ -258,6 +314,7 @@ TEST(FaultHistory, SurvivesTheSuddenEndOfTheProgram)
     {
       FaultHistory<2> history(folder.file("faults.h5"),
                               {numbered_fault<2>("main", 3, 0)},
+                              {numbered_shape<2>(3)},
                               all_fields());
       for (unsigned int i = 0; i < 20; ++i)
         history.add(i, {numbered_fault<2>("main", 3, i)});
@@ -277,6 +334,6 @@ TEST(FaultHistory, SurvivesTheSuddenEndOfTheProgram)
 TEST(FaultHistory, ReportsAFileThatCannotBeMade)
 {
   const TemporaryFolder folder;
-  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"), {}, {}),
+  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"), {}, {}, {}),
                InputError);
 }

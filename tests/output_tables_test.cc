@@ -61,6 +61,20 @@ namespace
 
 
 
+  // The nodes of such a fault, on faces that are level.
+  FaultShape<2>
+  level_shape()
+  {
+    FaultShape<2> shape;
+    shape.surface.points = slipping_fault({0, 0, 0}, 0).points;
+    shape.surface.faces  = {{{0, 1}}, {{1, 2}}};
+    shape.surface.normal = Tensor<1, 2>({0, -1});
+    shape.axes.assign(3, Tensor<2, 2>(unit_symmetric_tensor<2>()));
+    return shape;
+  }
+
+
+
   FaultSnapshot<2>
   evenly_slipping_fault(const double rate, const double slip)
   {
@@ -91,7 +105,7 @@ TEST(FaultStatistics, WeighsNodesAndLeavesOutThoseOffContact)
   EXPECT_DOUBLE_EQ(statistics.mean_slip, -5);
   EXPECT_DOUBLE_EQ(statistics.mean_state, 17.5);
   EXPECT_DOUBLE_EQ(statistics.mean_shear_traction, 250);
-  EXPECT_EQ(statistics.x_of_max_slip_rate, -1);
+  EXPECT_EQ(statistics.fastest_node, 0u);
 }
 
 
@@ -157,7 +171,8 @@ TEST(TimeSeries, RowsReachTheFileAtOnce)
 TEST(EventCatalogue, InterpolatesInTheLogarithmOfTheSlipRate)
 {
   const TemporaryFolder folder;
-  EventCatalogue<2> catalogue(folder.file("events.csv"), {"main"}, 1e-3, 0.1);
+  EventCatalogue<2>     catalogue(
+    folder.file("events.csv"), {"main"}, {level_shape()}, 1e-3, 0.1);
   // Rises tenfold per second from 1e-5, falls tenfold per half second: crosses
   // 1e-3 and 1e-4 between the steps.
   const auto add =
@@ -204,9 +219,10 @@ TEST(EventCatalogue, GoesOnWithinAnEvent)
   const auto            file_of = [&](const std::string &name) {
     return folder.file(name + ".csv");
   };
-  EventCatalogue<2> whole(file_of("whole"), {"main"}, 1e-3, 0.1),
-    begun(file_of("begun"), {"main"}, 1e-3, 0.1),
-    resumed(file_of("resumed"), {"main"}, 1e-3, 0.1);
+  EventCatalogue<2> whole(
+    file_of("whole"), {"main"}, {level_shape()}, 1e-3, 0.1),
+    begun(file_of("begun"), {"main"}, {level_shape()}, 1e-3, 0.1),
+    resumed(file_of("resumed"), {"main"}, {level_shape()}, 1e-3, 0.1);
   const std::vector<double> rates = {
     1e-5, 1e-2, 1e-5, 1e-4, 3e-2, 1e-2, 2e-3, 1e-5};
   // The second event is at its peak.
@@ -228,9 +244,10 @@ TEST(EventCatalogue, GoesOnWithinAnEvent)
 TEST(EventCatalogue, FindsWhereAnEventNucleatedAndItsFastestNode)
 {
   const TemporaryFolder folder;
-  EventCatalogue<2> catalogue(folder.file("events.csv"), {"main"}, 1e-3, 0.5);
-  double            time = 0;
-  const auto        add  = [&](const std::vector<double> &rates) {
+  EventCatalogue<2>     catalogue(
+    folder.file("events.csv"), {"main"}, {level_shape()}, 1e-3, 0.5);
+  double     time = 0;
+  const auto add  = [&](const std::vector<double> &rates) {
     catalogue.add(time += 1, {slipping_fault(rates, 0)});
   };
   // The right node is fast for a while, without an event.
@@ -245,7 +262,7 @@ TEST(EventCatalogue, FindsWhereAnEventNucleatedAndItsFastestNode)
 
   ASSERT_EQ(catalogue.events().size(), 1u);
   const SlipEvent &event = catalogue.events()[0];
-  EXPECT_EQ(event.nucleation_x, 0);
+  EXPECT_EQ(event.nucleation, std::vector<double>{0});
   EXPECT_EQ(event.peak_slip_rate, 5e-2);
   EXPECT_DOUBLE_EQ(event.peak_mean_slip_rate, (5e-2 + 4e-2 + 1e-5) / 4);
   EXPECT_EQ(event.peak_time, 5);
@@ -263,6 +280,7 @@ TEST(EventCatalogue, KeepsFaultsApartAndWritesAnOpenEventAtTheEnd)
   const TemporaryFolder folder;
   EventCatalogue<2>     catalogue(folder.file("events.csv"),
                               {"lower", "upper"},
+                              {level_shape(), level_shape()},
                               1e-3,
                               0.5);
   const auto            add =
@@ -305,10 +323,11 @@ TEST(EventCatalogue, KeepsFaultsApartAndWritesAnOpenEventAtTheEnd)
 TEST(EventCatalogue, AnEventMayBeUnderWayAtTheStart)
 {
   const TemporaryFolder folder;
-  EventCatalogue<2> catalogue(folder.file("events.csv"), {"main"}, 1e-3, 0.5);
+  EventCatalogue<2>     catalogue(
+    folder.file("events.csv"), {"main"}, {level_shape()}, 1e-3, 0.5);
   catalogue.add(2, {evenly_slipping_fault(1, 0)});
   catalogue.add(3, {evenly_slipping_fault(1e-6, 1)});
   ASSERT_EQ(catalogue.events().size(), 1u);
   EXPECT_EQ(catalogue.events()[0].start, 2);
-  EXPECT_EQ(catalogue.events()[0].nucleation_x, -1);
+  EXPECT_EQ(catalogue.events()[0].nucleation, std::vector<double>{-1});
 }

@@ -74,8 +74,8 @@ TEST(ProgramFields, BelongTogether)
   EXPECT_EQ(check.output, "");
   EXPECT_EQ(check.errors, "");
   EXPECT_EQ(names_in(folder, "output/scene"),
-            "contact_pressure contact_weight coordinates normal_stress "
-            "shear_traction slip slip_rate state time weight\n"
+            "arc_length axes contact_pressure contact_weight coordinates faces "
+            "normal_stress shear_traction slip slip_rate state time weight\n"
             "displacement velocity acceleration stress_xx stress_xy stress_yy "
             "strain_xx strain_xy strain_yy body\n");
 }
@@ -91,7 +91,8 @@ TEST(ProgramFields, OnlyThoseAskedForAreWritten)
                        "--set 'Output/Fault fields=slip_rate' "
                        "--set 'Output/Volume fields=velocity' "
                        "--set 'Output/Time series steps=4'");
-  const std::string names = "coordinates slip_rate time weight\nvelocity\n";
+  const std::string names =
+    "arc_length axes coordinates faces slip_rate time weight\nvelocity\n";
   EXPECT_EQ(names_in(folder, "output/scene"), names);
 
   // The choice is kept with the parameters.
@@ -122,6 +123,7 @@ TEST(ProgramFields, FilesNotAskedForAreNotThere)
   run_without_problems(folder,
                        "scene.prm --set 'Time/End time=0.02' "
                        "--set 'Output/Write faults=false' "
+                       "--set 'Output/Write fault surfaces=false' "
                        "--set 'Output/Write volume=false' "
                        "--set 'Output/Time series steps=0'");
   const Outcome files = run_command(folder, "cd output/scene && ls");

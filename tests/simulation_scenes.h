@@ -7,6 +7,7 @@
 #include <stickslip/output/event_catalogue.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/scene_reader.h>
+#include <stickslip/simulation/fault_shapes.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
@@ -66,12 +67,14 @@ namespace StickSlip::Tests
                         const MPI_Comm            communicator = MPI_COMM_WORLD)
     {
       const TemporaryFolder folder;
-      EventCatalogue<2>     catalogue(folder.file("events.csv"),
-                                  {"fault"},
-                                  event_start_slip_rate(scene),
-                                  scene.output.event_end_fraction);
       Simulation<2>         simulation(scene, communicator);
       simulation.set_up();
+      EventCatalogue<2> catalogue(folder.file("events.csv"),
+                                  {"fault"},
+                                  make_fault_shapes(
+                                    simulation.spatial_problem().jump_basis()),
+                                  event_start_slip_rate(scene),
+                                  scene.output.event_end_fraction);
       catalogue.add(0., snapshots(simulation));
       double largest = 0, time = 0;
       while (!simulation.is_finished())

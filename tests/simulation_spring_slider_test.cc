@@ -60,7 +60,7 @@ TEST(SpringSlider, NucleatesNearTheCentreAndGrowsToBothSides)
 {
   const RunHistory &run = first_event();
   ASSERT_FALSE(run.events.empty());
-  EXPECT_LT(std::abs(run.events.front().nucleation_x), 1.);
+  EXPECT_LT(std::abs(run.events.front().nucleation[0]), 1.);
 
   // Both halves slip faster than the loading when the whole is fastest.
   double left = 0, right = 0;

@@ -64,7 +64,7 @@ VARIANTS = {
     "no files of the bodies": {"Output/Write volume": "false"},
     "no files but events and summary": {
         "Output/Write volume": "false", "Output/Write faults": "false",
-        "Output/Time series steps": 0,
+        "Output/Write fault surfaces": "false", "Output/Time series steps": 0,
     },
     "all fields in the files": {
         "Output/Fault fields": "slip, slip_rate, shear_traction, normal_stress, "

@@ -1,20 +1,25 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Draw a run: slip rates over time and space, step sizes and iterations.
+"""Draw a run: slip, slip rates and tractions over time and space, step sizes and iterations.
 
-Usage: plot_run.py OUTPUT_DIRECTORY [-o FIGURE] [--fault NAME] [--event N]
+Usage: plot_run.py OUTPUT_DIRECTORY [-o FIGURE] [--fault NAME[,NAME...]] [--event N]
 
 Reads time_series.csv, events.csv and faults.h5 of a run and draws
 
-- the largest and the mean slip rate of one fault over time, with its events,
-- its slip rate over position and time, for the whole run,
-- the same, from shortly before to shortly after one event,
+- the largest and the mean slip rate of the chosen faults over time, with their events;
+- in two dimensions, for each of these faults, its slip rate over position and time, for
+  the whole run and from shortly before to shortly after one event, and what it slips
+  in that time, with the shear traction before and after;
+- in three dimensions, for each of them, maps over the fault of what it slips in that
+  time, its largest slip rate, and the change of its shear traction;
 - step sizes, and the iterations that each step took.
 
-The fault is the one with most events, the event the one in the middle of them,
-unless chosen. In three dimensions the position is that along x. Files of a run
-that has not ended, or has no events, are drawn as far as they go.
+The position on a fault that is not level is the way along it, as in faults.h5; in three
+dimensions the ways along strike and down dip, with which the fault is unfolded into a
+plane. The fault is the one with most events unless faults are chosen ('all' takes
+all); the event is the one in the middle of those of the first of them, or N, counted
+from 1. Files of a run that has not ended, or has no events, are drawn as far as they go.
 """
 
 import argparse
@@ -29,12 +34,17 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
+import scipy.sparse
+import scipy.sparse.linalg
 from matplotlib.colors import LogNorm
 
 # Okabe and Ito's colours, which the colour-blind can tell apart.
 BLUE, ORANGE, GREEN, VERMILION, GREY = (
     "#0072b2", "#e69f00", "#009e73", "#d55e00", "#777777"
 )
+COLOURS = (VERMILION, BLUE, ORANGE, GREEN, "#56b4e9", "#cc79a7", "#b8a800", "#000000")
+# A fault whose normal is nearer to the vertical than this is unfolded along x and y.
+LEVEL = np.cos(np.radians(15))
 
 
 class RunError(Exception):
@@ -60,32 +70,115 @@ def read_table(path):
     return table
 
 
-def read_fault(path, name):
-    """Position, time and |slip rate| (time x nodes) of one fault."""
-    if not path.is_file():
-        raise RunError(f"There is no file {path}.")
-    with h5py.File(path, "r") as file:
-        if name not in file:
-            raise RunError(f"{path} holds no fault {name}.")
-        group = file[name]
-        if "slip_rate" not in group:
-            raise RunError(
-                f"{path} holds no slip_rate; 'Output/Fault fields' must list it."
-            )
-        x = np.array(group["coordinates"])
-        time = np.array(group["time"]).ravel()
-        rate = np.abs(np.array(group["slip_rate"]))
-    if x.ndim == 2:
-        x = x[:, 0]
-    if rate.ndim == 3:
-        rate = np.linalg.norm(rate, axis=2)
-    records = min(len(time), len(rate))
-    time, rate = time[:records], rate[:records]
-    order = np.argsort(x, kind="stable")
-    x, rate = x[order], rate[:, order]
-    # Nodes with the same x, a line across the fault: the fastest stands for it.
-    x, first = np.unique(x, return_index=True)
-    return x, time, np.maximum.reduceat(rate, first, axis=1)
+def unfolded(points, faces, axes):
+    """Ways along strike and down dip of the nodes of a fault in space, in m.
+
+    Along each edge they grow as it goes along these directions, by least squares: on a
+    plane they are coordinates, on a fault that bends in one direction arc lengths.
+    Of a level fault they are x and y.
+    """
+    normals = axes[:, -1]
+    mean = normals.mean(axis=0)
+    if np.abs(mean[2]) >= LEVEL * np.linalg.norm(mean):
+        directions = (np.tile([1.0, 0, 0], (len(points), 1)),
+                      np.tile([0, 1.0, 0], (len(points), 1)))
+        directions = [d - (d * normals).sum(axis=1)[:, None] * normals for d in directions]
+    else:
+        strike = np.cross([0, 0, 1.0], normals)
+        if strike.mean(axis=0) @ [1.0, 0.1, 0] < 0:
+            strike = -strike
+        dip = np.cross(strike, normals)
+        directions = [strike, dip * np.sign(-dip[:, 2].mean())]
+    directions = [d / np.linalg.norm(d, axis=1, keepdims=True) for d in directions]
+
+    around = [face[face >= 0] for face in faces]
+    edges_of_faces = np.concatenate(
+        [np.stack((face, np.roll(face, -1)), axis=1) for face in around])
+    one, other = edges_of_faces.T
+    way = points[other] - points[one]
+    rows = np.arange(len(one))
+    differences = scipy.sparse.csr_matrix(
+        (np.concatenate((-np.ones(len(one)), np.ones(len(one)))),
+         (np.concatenate((rows, rows)), np.concatenate((one, other)))),
+        shape=(len(one), len(points)))
+    result = []
+    for number, direction in enumerate(directions):
+        steps = ((direction[one] + direction[other]) / 2 * way).sum(axis=1)
+        values = scipy.sparse.linalg.lsqr(
+            differences, steps, atol=1e-12, btol=1e-12)[0]
+        shift = 0 if np.abs(mean[2]) < LEVEL else np.mean(points[:, number] - values)
+        result.append(values - values.min() if shift == 0 else values + shift)
+    return np.stack(result, axis=1)
+
+
+class FaultRecords:
+    """The fields of one fault over time, at its nodes in contact in the order of the
+    way along it; in three dimensions at all nodes."""
+
+    def __init__(self, path, name):
+        if not path.is_file():
+            raise RunError(f"There is no file {path}.")
+        self.path, self.name = path, name
+        with h5py.File(path, "r") as file:
+            if name not in file:
+                raise RunError(f"{path} holds no fault {name}.")
+            group = file[name]
+            if "slip_rate" not in group:
+                raise RunError(
+                    f"{path} holds no slip_rate; 'Output/Fault fields' must list it."
+                )
+            points = np.array(group["coordinates"])
+            weight = np.array(group["weight"]).ravel()
+            self.time = np.array(group["time"]).ravel()
+            self.time = self.time[: len(group["slip_rate"])]
+            self.is_plane = points.shape[1] == 2
+            self.is_level = np.ptp(points[:, -1]) <= 1e-9 * np.ptp(points[:, 0])
+            if self.is_plane:
+                # Files of earlier versions have no ways along faults.
+                has_way = not self.is_level and "arc_length" in group
+                self.along = np.array(group["arc_length"]) if has_way else points[:, 0]
+                self.label = ("position along the fault [m]" if has_way
+                              else "position along x [m]")
+                order = np.argsort(self.along, kind="stable")
+                self.nodes = order[weight[order] > 0]
+                self.along = self.along[self.nodes]
+            else:
+                self.nodes = np.arange(len(points))
+                self.faces = np.array(group["faces"])
+                axes = np.array(group["axes"])
+                self.map = unfolded(points, self.faces, axes)
+                self.labels = (("x [m]", "y [m]") if self.is_level
+                               else ("along strike [m]", "down dip [m]"))
+                # A long fault has its maps below each other.
+                self.is_long = np.ptp(self.map[:, 0]) > 1.5 * np.ptp(self.map[:, 1])
+
+    def has(self, field):
+        with h5py.File(self.path, "r") as file:
+            return field in file[self.name]
+
+    def field(self, name, records=slice(None)):
+        """Records x nodes; in three dimensions x components."""
+        with h5py.File(self.path, "r") as file:
+            values = np.array(file[self.name][name])[: len(self.time)]
+        return values[records][:, self.nodes]
+
+    def rate(self, records=slice(None)):
+        rate = np.abs(self.field("slip_rate", records))
+        return rate if rate.ndim == 2 else np.linalg.norm(rate, axis=2)
+
+    def triangles(self):
+        """Those that the faces are made of, without faces across periodic ends."""
+        extent = np.ptp(self.map, axis=0)
+        result = []
+        for face in self.faces:
+            face = face[face >= 0]
+            if (np.ptp(self.map[face], axis=0) > 0.5 * extent).any() and len(
+                    self.faces) > 8:
+                continue
+            result.append(face[:3])
+            if len(face) == 4:
+                result.append(face[[0, 2, 3]])
+        return np.array(result)
 
 
 def edges(centres):
@@ -96,7 +189,7 @@ def edges(centres):
     return np.concatenate(([centres[0]], middle, [centres[-1]]))
 
 
-def choose_fault(series, events, wanted):
+def choose_faults(series, events, wanted):
     faults = [
         name[: -len(".max_slip_rate")]
         for name in series
@@ -104,52 +197,131 @@ def choose_fault(series, events, wanted):
     ]
     if not faults:
         raise RunError("time_series.csv has no column of slip rates.")
+    if wanted == "all":
+        return faults
     if wanted is not None:
-        if wanted not in faults:
-            raise RunError(f"No fault {wanted}; there are {', '.join(faults)}.")
-        return wanted
-    # On a tie the topmost fault: the one nearest to the usual loading.
-    return max(
+        names = wanted.split(",")
+        for name in names:
+            if name not in faults:
+                raise RunError(f"No fault {name}; there are {', '.join(faults)}.")
+        return names
+    # On a tie the last fault: the topmost one, nearest to the usual loading.
+    return [max(
         reversed(faults), key=lambda name: int(np.sum(events["fault"] == name))
-    )
+    )]
 
 
-def draw_slip_rates(axis, series, fault, own_events):
+def draw_slip_rates(axis, series, faults, events):
     t = series["time"]
-    axis.semilogy(t, series[f"{fault}.max_slip_rate"], color=VERMILION,
-                  linewidth=0.9, label="largest")
-    axis.semilogy(t, series[f"{fault}.mean_slip_rate"], color=BLUE,
-                  linewidth=0.9, label="mean")
-    axis.plot(own_events["peak_time"], own_events["peak_mean_slip_rate"], "o",
-              color="black", markersize=3, linestyle="none",
-              label=f"{len(own_events['start'])} events")
-    top = np.nanmax(series[f"{fault}.max_slip_rate"], initial=1e-12)
+    top = 1e-12
+    for number, fault in enumerate(faults):
+        colour = COLOURS[number % len(COLOURS)]
+        own = events["fault"] == fault
+        name = "" if len(faults) == 1 else f"{fault}: "
+        axis.semilogy(t, series[f"{fault}.max_slip_rate"], color=colour,
+                      linewidth=0.9, label=f"{name}largest")
+        axis.semilogy(t, series[f"{fault}.mean_slip_rate"], linewidth=0.9,
+                      color=BLUE if len(faults) == 1 else colour,
+                      linestyle="-" if len(faults) == 1 else ":",
+                      label="mean" if len(faults) == 1 else None)
+        axis.plot(events["peak_time"][own], events["peak_mean_slip_rate"][own], "o",
+                  color="black" if len(faults) == 1 else colour, markersize=3,
+                  linestyle="none", label=f"{name}{own.sum()} events")
+        top = max(top, np.nanmax(series[f"{fault}.max_slip_rate"], initial=0))
     axis.set_ylim(1e-14, max(10 * top, 1e-12))
     axis.set_ylabel("slip rate [m/s]")
-    axis.set_title(f"Slip rate of {fault}", loc="left")
+    axis.set_title("Slip rate of " + ", ".join(faults)
+                   + ("" if len(faults) == 1 else " (dotted: mean)"), loc="left")
     axis.legend(loc="lower right", ncol=3)
     axis.grid(alpha=0.3)
 
 
-def draw_map(figure, axis, x, time, rate, limits, title):
-    chosen = (time >= limits[0]) & (time <= limits[1])
-    if chosen.sum() < 2 or len(x) < 2:
+def draw_map(axis, fault, limits, title):
+    chosen = (fault.time >= limits[0]) & (fault.time <= limits[1])
+    if chosen.sum() < 2 or len(fault.along) < 2:
         axis.text(0.5, 0.5, "no records", transform=axis.transAxes,
                   ha="center", va="center")
         axis.set_title(title, loc="left")
         return
-    time, rate = time[chosen], rate[chosen]
+    time, rate = fault.time[chosen], fault.rate(chosen)
     top = max(rate.max(), 1e-12)
     bottom = top * 1e-10
     image = axis.pcolormesh(
-        edges(time), edges(x), np.maximum(rate, bottom).T,
+        edges(time), edges(fault.along), np.maximum(rate, bottom).T,
         norm=LogNorm(bottom, top), cmap="viridis", shading="flat",
         rasterized=True,
     )
     axis.set_xlim(time[0], time[-1])
-    axis.set_ylabel("position along x [m]")
+    axis.set_xlabel("time [s]")
+    axis.set_ylabel(fault.label)
     axis.set_title(title, loc="left")
-    figure.colorbar(image, ax=axis, label="slip rate [m/s]", pad=0.01)
+    axis.figure.colorbar(image, ax=axis, label="slip rate [m/s]", pad=0.01)
+
+
+def ends_of(fault, window):
+    """Numbers of the records at both ends of a window of time."""
+    first, last = np.searchsorted(fault.time, window)
+    last = min(last, len(fault.time) - 1)
+    return max(min(first, last) - 1, 0), last
+
+
+def draw_profiles(axes, fault, window):
+    """Slip of a plane fault within a window, and shear tractions at its ends."""
+    records = list(ends_of(fault, window))
+    for axis, field, factor, label in (
+        (axes[0], "slip", 1e3, "slip [mm]"),
+        (axes[1], "shear_traction", 1e-3, "shear traction [kPa]"),
+    ):
+        axis.set(xlabel=fault.label, ylabel=label)
+        axis.grid(alpha=0.3)
+        if not fault.has(field):
+            axis.text(0.5, 0.5, f"no {field}", transform=axis.transAxes,
+                      ha="center", va="center")
+            continue
+        before, after = factor * fault.field(field)[records]
+        if field == "slip":
+            axis.plot(fault.along, after - before, color=BLUE, linewidth=0.9)
+        else:
+            axis.plot(fault.along, before, color=GREY, linewidth=0.9, label="before")
+            axis.plot(fault.along, after, color=VERMILION, linewidth=0.9, label="after")
+            axis.legend()
+    axes[0].set_title(f"What {fault.name} slips from t = {fault.time[records[0]]:.5g} s "
+                      f"to {fault.time[records[1]]:.5g} s", loc="left")
+
+
+def draw_fault_maps(axes, fault, window):
+    """Slip, largest slip rate and change of traction over a fault in space."""
+    first, last = ends_of(fault, window)
+    maps = [("largest slip rate [m/s]", fault.rate(slice(first, last + 1)).max(axis=0),
+             "viridis")]
+    if fault.has("slip"):
+        slip = fault.field("slip")[[first, last]]
+        maps.insert(0, ("slip [mm]", 1e3 * np.linalg.norm(slip[1] - slip[0], axis=1),
+                        "viridis"))
+    if fault.has("shear_traction"):
+        before, after = np.linalg.norm(
+            fault.field("shear_traction")[[first, last]], axis=2)
+        maps.append(("change of shear traction [kPa]", 1e-3 * (after - before), "RdBu_r"))
+    triangles = fault.triangles()
+    for axis, (label, values, colours) in zip(axes, maps):
+        limits = {}
+        if colours == "RdBu_r":
+            limits = {"vmax": np.abs(values).max(), "vmin": -np.abs(values).max()}
+        elif label.startswith("largest") and values.max() > 0:
+            limits = {"norm": LogNorm(max(values.min(), 1e-6 * values.max()),
+                                      values.max() * (1 + 1e-9))}
+            values = np.maximum(values, 1e-6 * values.max())
+        image = axis.tripcolor(*fault.map.T, triangles, values, shading="gouraud",
+                               cmap=colours, rasterized=True, **limits)
+        axis.set(xlabel=fault.labels[0], ylabel=fault.labels[1],
+                 aspect="auto" if fault.is_long else "equal")
+        axis.figure.colorbar(
+            image, ax=axis, label=label, pad=0.02,
+            orientation="vertical" if fault.is_long else "horizontal")
+        if fault.labels[1].startswith("down"):
+            axis.invert_yaxis()
+    axes[0].set_title(f"{fault.name} from t = {fault.time[first]:.5g} s to "
+                      f"{fault.time[last]:.5g} s", loc="left")
 
 
 def event_window(own_events, number):
@@ -189,43 +361,78 @@ def draw_steps(axes, series):
     axes[1].grid(alpha=0.3)
 
 
-def draw(directory, file_name, wanted_fault, wanted_event):
+class Panels:
+    """The panels of a figure, row by row: (height, number of panels) for each row."""
+
+    def __init__(self, rows):
+        heights = [height for height, _ in rows]
+        self.figure = plt.figure(figsize=(9, 2.2 * sum(heights) + 0.4),
+                                 layout="constrained")
+        parts = self.figure.subfigures(len(rows), 1, height_ratios=heights)
+        self.rows = iter([
+            list(part.subplots(1, n, squeeze=False)[0])
+            for part, (_, n) in zip(parts, rows)
+        ])
+
+    def row(self):
+        return next(self.rows)
+
+
+def draw_plane_fault(panels, fault, window, number, has_event):
+    axis, = panels.row()
+    draw_map(axis, fault, (-np.inf, np.inf),
+             f"Slip rate along {fault.name}")
+    axis, = panels.row()
+    if has_event:
+        draw_map(axis, fault, window, f"Event {number}")
+    else:
+        axis.text(0.5, 0.5, "no events", transform=axis.transAxes,
+                  ha="center", va="center")
+        axis.set_title("One event", loc="left")
+    draw_profiles(panels.row(), fault, window)
+
+
+def draw(directory, file_name, wanted_faults, wanted_event):
     series = read_table(directory / "time_series.csv")
     events = read_table(directory / "events.csv")
     if len(series["time"]) == 0:
         raise RunError(f"{directory / 'time_series.csv'} holds no step.")
-    fault = choose_fault(series, events, wanted_fault)
-    x, time, rate = read_fault(directory / "faults.h5", fault)
-    own = events["fault"] == fault
-    own_events = {name: values[own] for name, values in events.items()}
-    window = event_window(own_events, wanted_event)
+    names = choose_faults(series, events, wanted_faults)
+    faults = [FaultRecords(directory / "faults.h5", name) for name in names]
+    own = events["fault"] == names[0]
+    event = event_window({name: values[own] for name, values in events.items()},
+                         wanted_event)
+    whole = (series["time"][0], series["time"][-1])
+    number, window = event or (0, whole)
 
     plt.rcParams.update({
         "font.size": 9, "axes.titlesize": 10, "legend.frameon": False,
         "axes.spines.top": False, "axes.spines.right": False,
     })
-    figure, axes = plt.subplots(
-        5, 1, figsize=(9, 12.5), constrained_layout=True,
-        gridspec_kw={"height_ratios": [1.2, 1.3, 1.3, 0.8, 0.9]},
-    )
-    whole = (series["time"][0], series["time"][-1])
-    draw_slip_rates(axes[0], series, fault, own_events)
-    draw_map(figure, axes[1], x, time, rate, (-np.inf, np.inf),
-             f"Slip rate along {fault}")
-    if window is None:
-        axes[2].text(0.5, 0.5, "no events", transform=axes[2].transAxes,
-                     ha="center", va="center")
-        axes[2].set_title("One event", loc="left")
-    else:
-        number, limits = window
-        draw_map(figure, axes[2], x, time, rate, limits, f"Event {number}")
-    draw_steps(axes[3:], series)
-    for axis in (axes[0], axes[1], axes[3], axes[4]):
+    rows = [(1.2, 1)]
+    for fault in faults:
+        if fault.is_plane:
+            rows += [(1.3, 1), (1.3, 1), (1.1, 2)]
+        else:
+            rows += [(1.1, 1)] * 3 if fault.is_long else [(1.8, 3)]
+    panels = Panels(rows + [(0.8, 1), (0.9, 1)])
+    over_time = panels.row()
+    draw_slip_rates(over_time[0], series, names, events)
+    for fault in faults:
+        if fault.is_plane:
+            draw_plane_fault(panels, fault, window, number, event is not None)
+        else:
+            draw_fault_maps(
+                [axis for _ in range(3) for axis in panels.row()]
+                if fault.is_long else panels.row(),
+                fault, window)
+    steps = panels.row() + panels.row()
+    draw_steps(steps, series)
+    for axis in over_time + steps:
         if whole[1] > whole[0]:
             axis.set_xlim(*whole)
-    for axis in axes:
         axis.set_xlabel("time [s]")
-    figure.savefig(file_name, dpi=150)
+    panels.figure.savefig(file_name, dpi=150)
 
 
 def main():
@@ -233,8 +440,8 @@ def main():
     parser.add_argument("directory", type=pathlib.Path)
     parser.add_argument("-o", metavar="FIGURE", type=pathlib.Path,
                         help="default: run.png in the output directory")
-    parser.add_argument("--fault", metavar="NAME",
-                        help="default: the fault with most events")
+    parser.add_argument("--fault", metavar="NAME[,NAME...]",
+                        help="or 'all'; default: the fault with most events")
     parser.add_argument("--event", metavar="N", type=int,
                         help="counted from 1; default: the middle one")
     arguments = parser.parse_args()

@@ -26,16 +26,53 @@ namespace StickSlip
         return 1.;
       return std::clamp((std::log(level) - from) / (to - from), 0., 1.);
     }
+
+
+
+    /** The way along a fault; three dimensions have none. */
+    void
+    add_way_along(const FaultShape<2>              &fault,
+                  std::vector<std::vector<double>> &positions)
+    {
+      const std::vector<double> way = arc_lengths(fault);
+      for (unsigned int k = 0; k < way.size(); ++k)
+        positions[k].push_back(way[k]);
+    }
+
+    void
+    add_way_along(const FaultShape<3> &, std::vector<std::vector<double>> &)
+    {}
+
+
+
+    /** Positions of the nodes of a fault as the table has them: x alone where
+     * all faults are level. */
+    template <int dim>
+    std::vector<std::vector<double>>
+    positions_of(const FaultShape<dim> &fault, const bool are_level)
+    {
+      std::vector<std::vector<double>> result;
+      for (const Point<dim> &point : fault.surface.points)
+        {
+          result.emplace_back();
+          for (unsigned int d = 0; d < (are_level ? 1 : dim); ++d)
+            result.back().push_back(point[d]);
+        }
+      if (!are_level)
+        add_way_along(fault, result);
+      return result;
+    }
   } // namespace
 
 
 
   template <int dim>
   EventCatalogue<dim>::EventCatalogue(
-    const std::string              &file_name,
-    const std::vector<std::string> &fault_names,
-    const double                    start_slip_rate,
-    const double                    end_fraction)
+    const std::string                  &file_name,
+    const std::vector<std::string>     &fault_names,
+    const std::vector<FaultShape<dim>> &shapes,
+    const double                        start_slip_rate,
+    const double                        end_fraction)
     : file(file_name)
     , file_name(file_name)
     , start_slip_rate(start_slip_rate)
@@ -43,14 +80,25 @@ namespace StickSlip
   {
     Assert(start_slip_rate > 0 && end_fraction > 0 && end_fraction <= 1,
            ExcMessage("Events need a threshold."));
+    AssertDimension(fault_names.size(), shapes.size());
+    const bool are_level =
+      std::all_of(shapes.begin(), shapes.end(), [](const auto &shape) {
+        return shape.is_level();
+      });
+    for (const FaultShape<dim> &shape : shapes)
+      positions.push_back(positions_of(shape, are_level));
+
     memory.faults.resize(fault_names.size());
     for (unsigned int i = 0; i < fault_names.size(); ++i)
       memory.faults[i].name = fault_names[i];
 
     file.precision(std::numeric_limits<double>::max_digits10);
     file << "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
-            "mean_slip,nucleation_x\n"
-         << std::flush;
+            "mean_slip,nucleation_x";
+    if (!are_level)
+      file << (dim == 2 ? ",nucleation_y,nucleation_arc_length" :
+                          ",nucleation_y,nucleation_z");
+    file << '\n' << std::flush;
     if (!file)
       throw InputError("The file '" + file_name + "' cannot be written.");
   }
@@ -64,18 +112,19 @@ namespace StickSlip
   {
     AssertDimension(faults.size(), memory.faults.size());
     for (unsigned int i = 0; i < memory.faults.size(); ++i)
-      add(memory.faults[i], time, fault_statistics(faults[i]));
+      add(i, time, fault_statistics(faults[i]));
   }
 
 
 
   template <int dim>
   void
-  EventCatalogue<dim>::add(EventState::Fault     &record,
+  EventCatalogue<dim>::add(const unsigned int     fault,
                            const double           time,
                            const FaultStatistics &now)
   {
-    const FaultStatistics &past = record.statistics;
+    EventState::Fault     &record = memory.faults[fault];
+    const FaultStatistics &past   = record.statistics;
 
     // The value a crossing of the given level has, by the part of the step.
     const auto interpolate =
@@ -90,7 +139,7 @@ namespace StickSlip
     const bool was_fast =
       record.has_past && past.max_slip_rate > start_slip_rate;
     if (now.max_slip_rate > start_slip_rate && !was_fast)
-      record.nucleation_x = now.x_of_max_slip_rate;
+      record.nucleation = positions[fault][now.fastest_node];
 
     if (!record.is_open && now.mean_slip_rate > start_slip_rate)
       {
@@ -100,7 +149,7 @@ namespace StickSlip
         record.event.start = interpolate(start_slip_rate, record.time, time);
         record.start_slip =
           interpolate(start_slip_rate, past.mean_slip, now.mean_slip);
-        record.event.nucleation_x = record.nucleation_x;
+        record.event.nucleation = record.nucleation;
       }
 
     if (record.is_open)
@@ -165,9 +214,10 @@ namespace StickSlip
     memory.written.push_back(event);
     file << event.fault << ',' << event.start << ',' << event.peak_time << ','
          << event.end << ',' << event.peak_mean_slip_rate << ','
-         << event.peak_slip_rate << ',' << event.mean_slip << ','
-         << event.nucleation_x << '\n'
-         << std::flush;
+         << event.peak_slip_rate << ',' << event.mean_slip;
+    for (const double coordinate : event.nucleation)
+      file << ',' << coordinate;
+    file << '\n' << std::flush;
     AssertThrow(file,
                 ExcMessage("Writing the file '" + file_name + "' failed."));
   }

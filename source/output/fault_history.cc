@@ -4,12 +4,12 @@
 #include <deal.II/base/exceptions.h>
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/output/fault_field_values.h>
 #include <stickslip/output/fault_history.h>
 #include <stickslip/output/hdf5_file.h>
 #include <stickslip/version.h>
 
 #include <fstream>
-#include <map>
 
 namespace StickSlip
 {
@@ -26,90 +26,80 @@ namespace StickSlip
 
 
 
-    template <int rank>
+    /** Extents of a record. */
+    template <int dim>
+    std::vector<hsize_t>
+    record_shape(const hsize_t n_nodes, const FaultFieldValues &values)
+    {
+      if (values.n_components > 1)
+        return {n_nodes, values.n_components};
+      return {n_nodes};
+    }
+
+
+
+    /** The vertices of each face, one after the other around it; -1 in the last
+     * place of a triangle. */
+    template <int dim>
+    std::vector<int>
+    corners(const FaultSurface<dim> &surface)
+    {
+      std::vector<int> result;
+      for (unsigned int f = 0; f < surface.faces.size(); ++f)
+        {
+          for (const unsigned int v : vertices_around<dim>(surface, f))
+            result.push_back(surface.faces[f][v]);
+          if (surface.n_vertices_of(f) < FaultSurface<dim>::n_vertices)
+            result.push_back(-1);
+        }
+      return result;
+    }
+
+
+
+    template <int dim>
     std::vector<double>
-    flatten(const std::vector<Tensor<1, rank>> &vectors)
+    flatten(const std::vector<Point<dim>> &points)
     {
       std::vector<double> values;
-      values.reserve(vectors.size() * rank);
-      for (const Tensor<1, rank> &vector : vectors)
-        for (unsigned int d = 0; d < rank; ++d)
-          values.push_back(vector[d]);
+      for (const Point<dim> &point : points)
+        for (unsigned int d = 0; d < dim; ++d)
+          values.push_back(point[d]);
       return values;
     }
 
 
 
-    /** Form in which a field is written: tangential vectors or numbers of all
-     * nodes, the other one null. */
+    /** Axis by axis, tangential ones first. */
     template <int dim>
-    struct FieldDescription
+    std::vector<double>
+    flatten(const std::vector<Tensor<2, dim>> &axes)
     {
-      std::string                     units, description;
-      std::vector<Tensor<1, dim - 1>> FaultSnapshot<dim>::*vectors;
-      std::vector<double> FaultSnapshot<dim>::*numbers;
-
-      /** Extents of a record. */
-      std::vector<hsize_t>
-      shape(const hsize_t n_nodes) const
-      {
-        if (vectors && dim == 3)
-          return {n_nodes, dim - 1};
-        return {n_nodes};
-      }
-
-      /** All values of a record, node by node. */
-      std::vector<double>
-      values(const FaultSnapshot<dim> &fault) const
-      {
-        return vectors ? flatten(fault.*vectors) : fault.*numbers;
-      }
-    };
-
-
-
-    template <int dim>
-    FieldDescription<dim>
-    describe(const FaultField field)
-    {
-      using Fault = FaultSnapshot<dim>;
-      static const std::map<FaultField, FieldDescription<dim>> fields = {
-        {FaultField::slip,
-         {"m",
-          "slip of the upper body relative to the lower one, tangential "
-          "components",
-          &Fault::slip,
-          nullptr}},
-        {FaultField::slip_rate,
-         {"m/s",
-          "rate of the slip, tangential components",
-          &Fault::slip_rate,
-          nullptr}},
-        {FaultField::shear_traction,
-         {"Pa",
-          "traction that resists the slip, with the sign of the slip rate",
-          &Fault::shear_traction,
-          nullptr}},
-        {FaultField::normal_stress,
-         {"Pa",
-          "normal stress that friction feels, compression positive",
-          nullptr,
-          &Fault::normal_stress}},
-        {FaultField::state,
-         {"s", "state theta of the friction law", nullptr, &Fault::state}},
-        {FaultField::contact_pressure,
-         {"Pa",
-          "force that keeps the sides together over the area, compression "
-          "positive",
-          nullptr,
-          &Fault::contact_pressure}},
-        {FaultField::contact_weight,
-         {dim == 2 ? "m" : "m^2",
-          "share of each node in the area of contact; 0: not in contact",
-          nullptr,
-          &Fault::weights}}};
-      return fields.at(field);
+      std::vector<double> values;
+      for (const Tensor<2, dim> &of_node : axes)
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            values.push_back(of_node[d][i]);
+      return values;
     }
+
+
+
+    void
+    write_arc_length(const hid_t group, const FaultShape<2> &shape)
+    {
+      const std::vector<double> lengths = arc_lengths(shape);
+      describe(write_hdf5_array(group, "arc_length", {lengths.size()}, lengths),
+               "m",
+               "way along the fault from its end at the back of the tangents");
+    }
+
+
+
+    /** Three dimensions: there is no such thing. */
+    void
+    write_arc_length(const hid_t, const FaultShape<3> &)
+    {}
 
 
 
@@ -120,6 +110,7 @@ namespace StickSlip
     public:
       FaultGroup(const hid_t                    file,
                  const FaultSnapshot<dim>      &fault,
+                 const FaultShape<dim>         &shape,
                  const std::vector<FaultField> &wanted)
         : n_nodes(fault.points.size())
         , group(create_hdf5_group(file, fault.name))
@@ -129,26 +120,37 @@ namespace StickSlip
         for (const auto &[field, name] : fault_field_names())
           if (has_field(wanted, field))
             {
-              const FieldDescription<dim> description = describe<dim>(field);
+              const FaultFieldValues values = field_values(fault, field);
               fields.push_back(
-                {description,
-                 Hdf5Series(group, name, description.shape(n_nodes))});
+                {field,
+                 Hdf5Series(group, name, record_shape<dim>(n_nodes, values))});
               describe(fields.back().series.id(),
-                       description.units,
-                       description.description);
+                       values.units,
+                       values.description);
             }
 
-        std::vector<double> coordinates;
-        for (const Point<dim> &point : fault.points)
-          for (unsigned int d = 0; d < dim; ++d)
-            coordinates.push_back(point[d]);
-        describe(
-          write_hdf5_array(group, "coordinates", {n_nodes, dim}, coordinates),
-          "m",
-          "reference positions of the nodes");
+        describe(write_hdf5_array(
+                   group, "coordinates", {n_nodes, dim}, flatten(fault.points)),
+                 "m",
+                 "reference positions of the nodes");
         describe(write_hdf5_array(group, "weight", {n_nodes}, fault.weights),
                  dim == 2 ? "m" : "m^2",
                  "share of each node in the fault's area; 0: not in contact");
+        describe(write_hdf5_array(group,
+                                  "faces",
+                                  {shape.surface.faces.size(),
+                                   FaultSurface<dim>::n_vertices},
+                                  corners(shape.surface)),
+                 "1",
+                 "numbers of the nodes around each face, from 0; -1 behind "
+                 "those of a triangle");
+        describe(write_hdf5_array(
+                   group, "axes", {n_nodes, dim, dim}, flatten(shape.axes)),
+                 "1",
+                 "unit vectors at each node at the start: those of the "
+                 "tangential components, then the normal from the first to the "
+                 "second side");
+        write_arc_length(group, shape);
       }
 
       void
@@ -156,7 +158,7 @@ namespace StickSlip
       {
         AssertDimension(fault.points.size(), n_nodes);
         for (Field &field : fields)
-          field.series.append(field.description.values(fault));
+          field.series.append(field_values(fault, field.field).values);
         // Last, so that each time has its fields.
         time.append({new_time});
       }
@@ -164,8 +166,8 @@ namespace StickSlip
     private:
       struct Field
       {
-        FieldDescription<dim> description;
-        Hdf5Series            series;
+        FaultField field;
+        Hdf5Series series;
       };
 
       unsigned int       n_nodes;
@@ -183,6 +185,7 @@ namespace StickSlip
   public:
     File(const std::string                     &file_name,
          const std::vector<FaultSnapshot<dim>> &faults,
+         const std::vector<FaultShape<dim>>    &shapes,
          const std::vector<FaultField>         &fields)
       : file(create_hdf5_file(file_name))
     {
@@ -193,8 +196,8 @@ namespace StickSlip
                            "a group per fault; first extent of time-dependent "
                            "data sets: record, second: node");
       groups.reserve(faults.size());
-      for (const FaultSnapshot<dim> &fault : faults)
-        groups.emplace_back(file, fault, fields);
+      for (unsigned int i = 0; i < faults.size(); ++i)
+        groups.emplace_back(file, faults[i], shapes[i], fields);
       flush();
     }
 
@@ -215,12 +218,14 @@ namespace StickSlip
   template <int dim>
   FaultHistory<dim>::FaultHistory(const std::string &file_name,
                                   const std::vector<FaultSnapshot<dim>> &faults,
+                                  const std::vector<FaultShape<dim>>    &shapes,
                                   const std::vector<FaultField>         &fields)
   {
+    AssertDimension(faults.size(), shapes.size());
     // HDF5 would print a stack of its own.
     if (!std::ofstream(file_name))
       throw InputError("The file '" + file_name + "' cannot be written.");
-    file = std::make_unique<File>(file_name, faults, fields);
+    file = std::make_unique<File>(file_name, faults, shapes, fields);
   }
 
 

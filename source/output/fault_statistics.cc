@@ -34,8 +34,8 @@ namespace StickSlip
 
         if (is_first || rate > statistics.max_slip_rate)
           {
-            statistics.max_slip_rate      = rate;
-            statistics.x_of_max_slip_rate = fault.points[p][0];
+            statistics.max_slip_rate = rate;
+            statistics.fastest_node  = p;
           }
         statistics.min_slip_rate =
           is_first ? rate : std::min(statistics.min_slip_rate, rate);

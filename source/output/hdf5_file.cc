@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <type_traits>
 
 namespace StickSlip
 {
@@ -23,18 +24,24 @@ namespace StickSlip
 
 
 
+    hsize_t
+    n_entries(const std::vector<hsize_t> &shape)
+    {
+      return std::accumulate(shape.begin(),
+                             shape.end(),
+                             hsize_t(1),
+                             std::multiplies<hsize_t>());
+    }
+
+
+
     // Records per chunk, such that a chunk has about 64 kB: small enough not
     // to waste space in a short run, large enough for fast reading.
     hsize_t
     chunk_length(const std::vector<hsize_t> &record_shape)
     {
-      const hsize_t n_values = std::accumulate(record_shape.begin(),
-                                               record_shape.end(),
-                                               hsize_t(1),
-                                               std::multiplies<hsize_t>());
-      return std::clamp<hsize_t>(8192 / std::max<hsize_t>(n_values, 1),
-                                 1,
-                                 1024);
+      return std::clamp<hsize_t>(
+        8192 / std::max<hsize_t>(n_entries(record_shape), 1), 1, 1024);
     }
 
 
@@ -114,11 +121,7 @@ namespace StickSlip
     std::vector<hsize_t> start(shape.size(), 0), count = shape;
     start[0] = shape[0];
     count[0] = 1;
-    AssertDimension(record.size(),
-                    std::accumulate(count.begin(),
-                                    count.end(),
-                                    hsize_t(1),
-                                    std::multiplies<hsize_t>()));
+    AssertDimension(record.size(), n_entries(count));
 
     ++shape[0];
     require(H5Dset_extent(data_set, shape.data()) >= 0, "extend a data set");
@@ -179,12 +182,15 @@ namespace StickSlip
 
 
 
+  template <typename Number>
   Hdf5Handle
   write_hdf5_array(const hid_t                 group,
                    const std::string          &name,
                    const std::vector<hsize_t> &shape,
-                   const std::vector<double>  &values)
+                   const std::vector<Number>  &values)
   {
+    constexpr bool is_whole = std::is_same<Number, int>::value;
+    AssertDimension(values.size(), n_entries(shape));
     const Hdf5Handle space(H5Screate_simple(shape.size(),
                                             shape.data(),
                                             nullptr),
@@ -192,7 +198,7 @@ namespace StickSlip
                            "describe the data set '" + name + "'");
     Hdf5Handle       data_set(H5Dcreate2(group,
                                    name.c_str(),
-                                   H5T_IEEE_F64LE,
+                                   is_whole ? H5T_STD_I32LE : H5T_IEEE_F64LE,
                                    space,
                                    H5P_DEFAULT,
                                    H5P_DEFAULT,
@@ -200,7 +206,7 @@ namespace StickSlip
                         H5Dclose,
                         "create the data set '" + name + "'");
     require(H5Dwrite(data_set,
-                     H5T_NATIVE_DOUBLE,
+                     is_whole ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE,
                      H5S_ALL,
                      H5S_ALL,
                      H5P_DEFAULT,
@@ -208,6 +214,11 @@ namespace StickSlip
             "write the data set '" + name + "'");
     return data_set;
   }
+
+
+
+  template decltype(write_hdf5_array<double>) write_hdf5_array<double>;
+  template decltype(write_hdf5_array<int>)    write_hdf5_array<int>;
 
 
 

@@ -49,6 +49,7 @@ namespace StickSlip
                                                 "events.csv",
                                                 "faults.h5",
                                                 "solution.pvd",
+                                                "faults.pvd",
                                                 "parameters.prm",
                                                 "summary.txt"};
     std::error_code                    error;
@@ -58,7 +59,7 @@ namespace StickSlip
         const std::string name      = item.path().filename().string();
         const std::string extension = item.path().extension().string();
         if (names.count(name) > 0 ||
-            (name.rfind("solution", 0) == 0 &&
+            ((name.rfind("solution", 0) == 0 || name.rfind("fault_", 0) == 0) &&
              (extension == ".vtu" || extension == ".pvtu")))
           doomed.insert(item.path());
       }

@@ -72,18 +72,25 @@ namespace StickSlip
       "Fault fields",
       fault_fields,
       fault_field_names(),
-      "What faults.h5 holds: slip (m), slip_rate (m/s), shear_traction (Pa), "
+      "What faults.h5 and the VTU files of the faults hold: slip (m), "
+      "slip_rate (m/s), shear_traction (Pa), "
       "normal_stress (Pa), state (s); contact_pressure (Pa), the force that "
       "keeps the sides together over the area, which friction feels only "
       "where the normal stress follows it; contact_weight, each node's share "
       "in the area of contact (m, in three dimensions m^2), which changes as "
-      "bodies slide.");
+      "bodies slide; position (m), where the nodes are as they move. The VTU "
+      "files hold the last two in any case.");
     add_cadence(prm,
                 "Fault",
                 fault_cadence,
                 "A record is added to faults.h5",
                 "the last one",
                 "records in faults.h5");
+    add_switch(prm,
+               "Write fault surfaces",
+               write_fault_surfaces,
+               "Whether VTU files of the faults are written, at the times of "
+               "those of the bodies, be these written or not.");
     add_switch(prm,
                "Write volume",
                write_volume,

@@ -10,9 +10,11 @@
 namespace StickSlip
 {
   void
-  PvdRecord::add(const double time, const std::string &vtu_file_name)
+  PvdRecord::add(const double                    time,
+                 const std::vector<std::string> &vtu_file_names)
   {
-    files.emplace_back(time, vtu_file_name);
+    for (const std::string &name : vtu_file_names)
+      files.emplace_back(time, name);
 
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
@@ -20,9 +22,14 @@ namespace StickSlip
          << "<VTKFile type=\"Collection\" version=\"0.1\" "
             "byte_order=\"LittleEndian\">\n"
          << "  <Collection>\n";
-    for (const auto &[entry_time, name] : files)
-      text << "    <DataSet timestep=\"" << entry_time
-           << "\" group=\"\" part=\"0\" file=\"" << name << "\"/>\n";
+    unsigned int part = 0;
+    for (unsigned int i = 0; i < files.size(); ++i)
+      {
+        part = i > 0 && files[i].first == files[i - 1].first ? part + 1 : 0;
+        text << "    <DataSet timestep=\"" << files[i].first
+             << "\" group=\"\" part=\"" << part << "\" file=\""
+             << files[i].second << "\"/>\n";
+      }
     text << "  </Collection>\n"
          << "</VTKFile>\n";
     write_file_atomically(file_name, text.str());

@@ -5,9 +5,11 @@
 
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/magnitude.h>
+#include <stickslip/output/fault_surface_writer.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_writer.h>
+#include <stickslip/simulation/fault_shapes.h>
 #include <stickslip/simulation/run_record.h>
 #include <unistd.h>
 
@@ -75,13 +77,16 @@ namespace StickSlip
 
   template <int dim>
   RunRecord<dim>::Files::Files(const SceneParameters<dim>            &scene,
-                               const std::vector<FaultSnapshot<dim>> &faults)
+                               const std::vector<FaultSnapshot<dim>> &faults,
+                               const std::vector<FaultShape<dim>>    &shapes)
     : directory(prepared_directory(scene.output.directory))
     , catalogue(directory.file("events.csv"),
                 names_of(scene.faults),
+                shapes,
                 event_start_slip_rate(scene),
                 scene.output.event_end_fraction)
-    , pvd(directory.file("solution.pvd"))
+    , volumes(directory.file("solution.pvd"))
+    , surfaces(directory.file("faults.pvd"))
     , progress(std::cout, isatty(STDOUT_FILENO) == 1, scene.time.end_time)
   {
     if (scene.output.time_series_steps > 0)
@@ -91,6 +96,7 @@ namespace StickSlip
     if (scene.output.write_faults)
       history = std::make_unique<FaultHistory<dim>>(directory.file("faults.h5"),
                                                     faults,
+                                                    shapes,
                                                     scene.output.fault_fields);
     write_parameters(scene, directory.file("parameters.prm"));
   }
@@ -99,17 +105,19 @@ namespace StickSlip
 
   template <int dim>
   RunRecord<dim>::RunRecord(const SceneParameters<dim>            &scene,
-                            const MeshLevel<dim>                  &level,
+                            const ContactSpace<dim>               &space,
                             const std::vector<FaultSnapshot<dim>> &faults)
     : scene(scene)
-    , level(level)
-    , communicator(level.nodes.communicator())
+    , space(space)
+    , communicator(space.meshes().finest().nodes.communicator())
     , fault_cadence(scene.output.fault_cadence)
     , volume_cadence(scene.output.volume_cadence)
   {
     carry_out_agreed(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        files = std::make_unique<Files>(scene, faults);
+        files = std::make_unique<Files>(scene,
+                                        faults,
+                                        make_fault_shapes(space.jump_basis()));
     });
   }
 
@@ -126,7 +134,7 @@ namespace StickSlip
     is_new      = true;
     // The state at the start is no step.
     in_time_series   = (step.step == 0);
-    in_fault_history = in_volume_output = false;
+    in_fault_history = in_fields = false;
 
     last_slip_rate = 0;
     for (const auto &fault : faults)
@@ -140,8 +148,7 @@ namespace StickSlip
           every > 0 && step.step > 0 && step.step % every == 0,
           scene.output.write_faults &&
             fault_cadence.is_due(step.time, last_slip_rate),
-          scene.output.write_volume &&
-            volume_cadence.is_due(step.time, last_slip_rate));
+          has_fields() && volume_cadence.is_due(step.time, last_slip_rate));
   }
 
 
@@ -151,10 +158,21 @@ namespace StickSlip
   RunRecord<dim>::write(const SystemState<dim> &state,
                         const bool              series,
                         const bool              fault_history,
-                        const bool              volume)
+                        const bool              fields)
   {
+    const bool volume   = fields && scene.output.write_volume,
+               surfaces = fields && scene.output.write_fault_surfaces;
     const VolumeNodalValues values =
       volume ? gather_volume(state) : VolumeNodalValues();
+    if (surfaces || (fault_history && has_field(scene.output.fault_fields,
+                                                FaultField::position)))
+      {
+        const auto positions = fault_positions(space.jump_basis(),
+                                               space.meshes().finest().nodes,
+                                               state.displacement);
+        for (unsigned int f = 0; f < last_faults.size(); ++f)
+          last_faults[f].positions = positions[f];
+      }
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;
@@ -177,15 +195,26 @@ namespace StickSlip
           files->history->add(last_step.time, last_faults);
           in_fault_history = true;
         }
+      // A file that cannot be written leaves a gap, and the next one is tried.
+      const unsigned int number =
+        n_missed + std::max(files->volumes.entries().size(),
+                            files->surfaces.entries().size() /
+                              std::max<std::size_t>(last_faults.size(), 1));
+      if (fields)
+        ++n_missed;
       if (volume)
-        write_volume_now(values);
+        write_volume_now(number, values);
+      if (surfaces)
+        write_surfaces_now(number);
+      if (fields)
+        --n_missed;
     });
     if (fault_history)
       fault_cadence.note_written(last_step.time, last_slip_rate);
-    if (volume)
+    if (fields)
       {
         volume_cadence.note_written(last_step.time, last_slip_rate);
-        in_volume_output = true;
+        in_fields = true;
       }
   }
 
@@ -212,20 +241,36 @@ namespace StickSlip
 
   template <int dim>
   void
-  RunRecord<dim>::write_volume_now(const VolumeNodalValues &values)
+  RunRecord<dim>::write_volume_now(const unsigned int       number,
+                                   const VolumeNodalValues &values)
   {
-    // A file that cannot be written leaves a gap, and the next one is tried.
-    const unsigned int number = files->pvd.entries().size() + n_missed_volumes;
-    ++n_missed_volumes;
-    files->pvd.add(last_step.time,
-                   write_volume(scene.output.directory,
-                                number,
-                                last_step.time,
-                                level,
-                                values,
-                                volume_materials(scene),
-                                scene.output.volume_fields));
-    --n_missed_volumes;
+    files->volumes.add(last_step.time,
+                       {write_volume(scene.output.directory,
+                                     number,
+                                     last_step.time,
+                                     space.meshes().finest(),
+                                     values,
+                                     volume_materials(scene),
+                                     scene.output.volume_fields)});
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::write_surfaces_now(const unsigned int number)
+  {
+    const std::vector<FaultShape<dim>> shapes =
+      make_fault_shapes(space.jump_basis());
+    std::vector<std::string> names;
+    for (unsigned int f = 0; f < shapes.size(); ++f)
+      names.push_back(write_fault_surface(scene.output.directory,
+                                          number,
+                                          last_step.time,
+                                          shapes[f],
+                                          last_faults[f],
+                                          scene.output.fault_fields));
+    files->surfaces.add(last_step.time, names);
   }
 
 
@@ -239,8 +284,9 @@ namespace StickSlip
     state.volume_cadence = volume_cadence.state();
     if (files)
       {
-        state.events  = files->catalogue.state();
-        state.volumes = files->pvd.entries();
+        state.events   = files->catalogue.state();
+        state.volumes  = files->volumes.entries();
+        state.surfaces = files->surfaces.entries();
       }
     return state;
   }
@@ -257,7 +303,8 @@ namespace StickSlip
       if (!files)
         return;
       files->catalogue.resume(state.events);
-      files->pvd.resume(state.volumes);
+      files->volumes.resume(state.volumes);
+      files->surfaces.resume(state.surfaces);
     });
   }
 
@@ -273,7 +320,7 @@ namespace StickSlip
     write(state,
           scene.output.time_series_steps > 0 && !in_time_series,
           scene.output.write_faults && !in_fault_history,
-          scene.output.write_volume && !in_volume_output);
+          has_fields() && !in_fields);
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;

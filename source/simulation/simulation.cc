@@ -288,9 +288,8 @@ namespace StickSlip
   void
   Simulation<dim>::open_record()
   {
-    record = std::make_unique<RunRecord<dim>>(scene,
-                                              mesh_hierarchy.finest(),
-                                              fault_snapshots());
+    record =
+      std::make_unique<RunRecord<dim>>(scene, problem, fault_snapshots());
     if (run_state.counts.accepted == 0)
       record->add(StepRecord(), state(), fault_snapshots());
     else

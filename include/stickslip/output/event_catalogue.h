@@ -4,6 +4,7 @@
 #ifndef stickslip_output_event_catalogue_h
 #define stickslip_output_event_catalogue_h
 
+#include <stickslip/output/fault_shape.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
 
@@ -36,9 +37,11 @@ namespace StickSlip
     /** Growth of the mean slip during the event, m. */
     double mean_slip = 0;
 
-    /** x of the fastest node when the fastest node's slip rate last rose above
-     * the threshold before the event, m. */
-    double nucleation_x = nan;
+    /** Reference position of the fastest node when the fastest node's slip rate
+     * last rose above the threshold before the event, m: x; where a fault is
+     * not level, all other coordinates, and in two dimensions the way along the
+     * fault (arc_lengths()). */
+    std::vector<double> nucleation;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
@@ -46,7 +49,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &fault &start &peak_time &end &peak_mean_slip_rate &peak_slip_rate
-        &mean_slip &nucleation_x;
+        &mean_slip &nucleation;
     }
   };
 
@@ -59,21 +62,21 @@ namespace StickSlip
      * open. */
     struct Fault
     {
-      std::string     name;
-      bool            has_past = false;
-      double          time     = 0;
-      FaultStatistics statistics;
-      double          nucleation_x = FaultStatistics::nan;
-      bool            is_open      = false;
-      double          start_slip   = 0;
-      SlipEvent       event;
+      std::string         name;
+      bool                has_past = false;
+      double              time     = 0;
+      FaultStatistics     statistics;
+      std::vector<double> nucleation;
+      bool                is_open    = false;
+      double              start_slip = 0;
+      SlipEvent           event;
 
       /** Members to or from a boost archive. */
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &name &has_past &time &statistics &nucleation_x &is_open
+        archive &name &has_past &time &statistics &nucleation &is_open
           &start_slip &event;
       }
     };
@@ -100,6 +103,9 @@ namespace StickSlip
    * and ends when it falls below a fraction of that. Both times are
    * interpolated between the steps, linearly in the logarithm of the mean slip
    * rate.
+   *
+   * Columns are the members of SlipEvent, with one for each number of where it
+   * nucleated: nucleation_x, _y, _z and _arc_length, as far as they are there.
    */
   template <int dim>
   class EventCatalogue
@@ -107,13 +113,14 @@ namespace StickSlip
   public:
     /**
      * @p start_slip_rate is the threshold in m/s, @p end_fraction the fraction
-     * of it at which an event ends. Throws InputError if the file cannot be
-     * written.
+     * of it at which an event ends. @p shapes: one entry a fault. Throws
+     * InputError if the file cannot be written.
      */
-    EventCatalogue(const std::string              &file_name,
-                   const std::vector<std::string> &fault_names,
-                   const double                    start_slip_rate,
-                   const double                    end_fraction);
+    EventCatalogue(const std::string                  &file_name,
+                   const std::vector<std::string>     &fault_names,
+                   const std::vector<FaultShape<dim>> &shapes,
+                   const double                        start_slip_rate,
+                   const double                        end_fraction);
 
     /**
      * Take in an accepted step; @p faults in the order of the names given
@@ -156,12 +163,15 @@ namespace StickSlip
 
   private:
     void
-    add(EventState::Fault     &record,
+    add(const unsigned int     fault,
         const double           time,
         const FaultStatistics &now);
 
     void
     write(const SlipEvent &event);
+
+    /** Values of SlipEvent::nucleation for the nodes of each fault. */
+    std::vector<std::vector<std::vector<double>>> positions;
 
     std::ofstream file;
     std::string   file_name;

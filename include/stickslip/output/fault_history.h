@@ -4,6 +4,7 @@
 #ifndef stickslip_output_fault_history_h
 #define stickslip_output_fault_history_h
 
+#include <stickslip/output/fault_shape.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/output_fields.h>
 
@@ -20,6 +21,12 @@ namespace StickSlip
    *
    *   coordinates       nodes x dim             reference positions, m
    *   weight            nodes                   of the first record, m^(dim-1)
+   *   faces             faces x 2 or 4          nodes around each face, whole
+   *                                             numbers; the last one of a
+   *                                             triangle is -1
+   *   axes              nodes x dim x dim       tangents, normal; at the start
+   *   arc_length        nodes                   arc_lengths(), m; two
+   *                                             dimensions only
    *   time              records                 s
    *
    * and, as far as they are asked for,
@@ -31,6 +38,7 @@ namespace StickSlip
    *   state             records x nodes         s
    *   contact_pressure  records x nodes         Pa
    *   contact_weight    records x nodes         m^(dim-1)
+   *   position          records x nodes x dim   of the moment, m
    *
    * where the last extent of tangential vectors is there in three dimensions
    * only. Each data set has the attributes `units` and `description`; the root
@@ -45,11 +53,13 @@ namespace StickSlip
   {
   public:
     /**
-     * Create or replace the file. @p faults gives the names and nodes; a record
-     * is not made of it. Throws InputError if the file cannot be made.
+     * Create or replace the file. @p faults gives the names and nodes, and
+     * @p shapes one entry for each of them; a record is not made of them.
+     * Throws InputError if the file cannot be made.
      */
     FaultHistory(const std::string                     &file_name,
                  const std::vector<FaultSnapshot<dim>> &faults,
+                 const std::vector<FaultShape<dim>>    &shapes,
                  const std::vector<FaultField>         &fields);
 
     ~FaultHistory();

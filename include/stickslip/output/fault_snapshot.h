@@ -15,10 +15,12 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * The fields of one fault at one time, node by node in the order of x (then
-   * y in three dimensions). Tangential vectors have dim-1 components; slip,
-   * slip rate and shear traction are those of the upper body relative to the
-   * lower one, whichever is the slave. Off-contact nodes have weight zero.
+   * The fields of one fault at one time, node by node: those of each body's
+   * part of the slave side in the order of x (then y, then z). Tangential
+   * vectors have dim-1 components along the axes of the nodes; slip, slip rate
+   * and shear traction are those of the second side (of a stack, the upper
+   * body) relative to the first one, whichever is the slave. Off-contact nodes
+   * have weight zero.
    */
   template <int dim>
   struct FaultSnapshot
@@ -35,7 +37,7 @@ namespace StickSlip
     std::vector<Tensor<1, dim - 1>> slip;
     std::vector<Tensor<1, dim - 1>> slip_rate;
 
-    /** Shear traction by which the fault resists the slip of the upper body,
+    /** Shear traction by which the fault resists the slip of the second side,
      * Pa: has the sign of the slip rate. */
     std::vector<Tensor<1, dim - 1>> shear_traction;
 
@@ -48,6 +50,9 @@ namespace StickSlip
     /** The force that keeps the sides together over the area, Pa; empty if
      * nobody asks for it. */
     std::vector<double> contact_pressure;
+
+    /** Positions at this time, m; empty unless they are written. */
+    std::vector<Point<dim>> positions;
   };
 
   /**

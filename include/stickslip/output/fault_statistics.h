@@ -33,8 +33,8 @@ namespace StickSlip
     /** First tangential component of the shear traction, Pa. */
     double mean_shear_traction = nan;
 
-    /** x of the (first) node of largest slip rate, m. */
-    double x_of_max_slip_rate = nan;
+    /** The (first) node of largest slip rate. */
+    unsigned int fastest_node = numbers::invalid_unsigned_int;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
@@ -42,7 +42,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &max_slip_rate &mean_slip_rate &min_slip_rate &mean_slip
-        &mean_state &mean_shear_traction &x_of_max_slip_rate;
+        &mean_state &mean_shear_traction &fastest_node;
     }
   };
 

@@ -92,13 +92,15 @@ namespace StickSlip
   create_hdf5_group(const hid_t parent, const std::string &name);
 
   /**
-   * Write a data set of fixed shape.
+   * Write a data set of fixed shape, of numbers in double precision or of whole
+   * numbers (int).
    */
+  template <typename Number>
   Hdf5Handle
   write_hdf5_array(const hid_t                 group,
                    const std::string          &name,
                    const std::vector<hsize_t> &shape,
-                   const std::vector<double>  &values);
+                   const std::vector<Number>  &values);
 
   void
   write_hdf5_attribute(const hid_t        object,

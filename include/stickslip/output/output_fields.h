@@ -12,7 +12,7 @@
 namespace StickSlip
 {
   /**
-   * Fields of a fault over time in faults.h5.
+   * Fields of a fault over time in faults.h5 and in its VTU files.
    */
   enum class FaultField
   {
@@ -22,7 +22,8 @@ namespace StickSlip
     normal_stress,
     state,
     contact_pressure,
-    contact_weight
+    contact_weight,
+    position
   };
 
   /**
@@ -53,7 +54,8 @@ namespace StickSlip
       {FaultField::normal_stress, "normal_stress"},
       {FaultField::state, "state"},
       {FaultField::contact_pressure, "contact_pressure"},
-      {FaultField::contact_weight, "contact_weight"}};
+      {FaultField::contact_weight, "contact_weight"},
+      {FaultField::position, "position"}};
     return names;
   }
 

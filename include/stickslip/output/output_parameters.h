@@ -40,7 +40,11 @@ namespace StickSlip
     /** Cadence of faults.h5, by the largest slip rate of any fault. */
     CadenceParameters fault_cadence = {2., 1e-5, 1e-3, 0.5};
 
-    /** Choice, fields and cadence of the VTU files. */
+    /** Choice of the VTU files of the faults, which have the same fields and
+     * come with the cadence of those of the bodies. */
+    bool write_fault_surfaces = true;
+
+    /** Choice, fields and cadence of the VTU files of the bodies. */
     bool                     write_volume   = true;
     std::vector<VolumeField> volume_fields  = {VolumeField::displacement,
                                                VolumeField::velocity,

@@ -11,12 +11,13 @@
 namespace StickSlip
 {
   /**
-   * Times, s, and names of VTU (or PVTU) files.
+   * Times, s, and names of VTU files. Several files of the same time are parts
+   * that are seen together.
    */
   using VolumeEntries = std::vector<std::pair<double, std::string>>;
 
   /**
-   * The list of VTU (or PVTU) files with their times that ParaView opens as one
+   * The list of VTU files with their times that ParaView opens as one
    * animation. The file is complete at any moment.
    */
   class PvdRecord
@@ -27,11 +28,11 @@ namespace StickSlip
     {}
 
     /**
-     * Add a file that has been written, by its name relative to the list, and
-     * write the list. Throws InputError if that is impossible.
+     * Add the files of a time that have been written, by their names relative
+     * to the list, and write the list. Throws InputError if that is impossible.
      */
     void
-    add(const double time, const std::string &vtu_file_name);
+    add(const double time, const std::vector<std::string> &vtu_file_names);
 
     /** The files added so far. */
     const VolumeEntries &

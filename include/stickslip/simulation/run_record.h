@@ -4,7 +4,6 @@
 #ifndef stickslip_simulation_run_record_h
 #define stickslip_simulation_run_record_h
 
-#include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/output/event_catalogue.h>
 #include <stickslip/output/fault_history.h>
 #include <stickslip/output/output_cadence.h>
@@ -14,6 +13,7 @@
 #include <stickslip/output/run_summary.h>
 #include <stickslip/output/time_series.h>
 #include <stickslip/output/volume_writer.h>
+#include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_state.h>
@@ -33,10 +33,11 @@ namespace StickSlip
   {
   public:
     /**
-     * Creates the output folder and the files. @p faults as at the start.
+     * Creates the output folder and the files. @p space, whose contact mapping
+     * may change later, and @p faults as at the start.
      */
     RunRecord(const SceneParameters<dim>            &scene,
-              const MeshLevel<dim>                  &level,
+              const ContactSpace<dim>               &space,
               const std::vector<FaultSnapshot<dim>> &faults);
 
     /** Take in an accepted step; the state at the start has number 0. */
@@ -59,30 +60,42 @@ namespace StickSlip
     finish(const SystemState<dim> &state, const RunSummary &summary);
 
   private:
-    /** Add the last step to the files asked for; the volume's part is gathered
-     * first. */
+    /** Add the last step to the files asked for; nodal values are gathered
+     * first. @p fields: all VTU files. */
     void
     write(const SystemState<dim> &state,
           const bool              series,
           const bool              fault_history,
-          const bool              volume);
+          const bool              fields);
 
     /** Nodal values that the VTU files need. Collective. */
     VolumeNodalValues
     gather_volume(const SystemState<dim> &state) const;
 
     void
-    write_volume_now(const VolumeNodalValues &values);
+    write_volume_now(const unsigned int       number,
+                     const VolumeNodalValues &values);
+
+    void
+    write_surfaces_now(const unsigned int number);
+
+    /** True if there are VTU files. */
+    bool
+    has_fields() const
+    {
+      return scene.output.write_volume || scene.output.write_fault_surfaces;
+    }
 
     /** Files and what goes into them, on the process that writes. */
     struct Files
     {
       Files(const SceneParameters<dim>            &scene,
-            const std::vector<FaultSnapshot<dim>> &faults);
+            const std::vector<FaultSnapshot<dim>> &faults,
+            const std::vector<FaultShape<dim>>    &shapes);
 
       const OutputDirectory directory;
       EventCatalogue<dim>   catalogue;
-      PvdRecord             pvd;
+      PvdRecord             volumes, surfaces;
       Progress              progress;
       /** Files that are asked for, null otherwise. */
       std::unique_ptr<TimeSeries<dim>>   time_series;
@@ -90,7 +103,7 @@ namespace StickSlip
     };
 
     const SceneParameters<dim> &scene;
-    const MeshLevel<dim>       &level;
+    const ContactSpace<dim>    &space;
     const MPI_Comm              communicator;
     std::unique_ptr<Files>      files;
     OutputCadence               fault_cadence;
@@ -104,10 +117,10 @@ namespace StickSlip
     bool                            is_new           = false;
     bool                            in_time_series   = true;
     bool                            in_fault_history = true;
-    bool                            in_volume_output = true;
+    bool                            in_fields        = true;
 
-    /** Volume files that could not be written. */
-    unsigned int n_missed_volumes = 0;
+    /** Times whose VTU files could not be written. */
+    unsigned int n_missed = 0;
   };
 } // namespace StickSlip
 

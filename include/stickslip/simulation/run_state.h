@@ -56,21 +56,21 @@ namespace StickSlip
   };
 
   /**
-   * Memory of the record of a run of all that it has written. Events and
-   * volumes are known to the process only that writes.
+   * Memory of the record of a run of all that it has written. Events and VTU
+   * files are known to the process only that writes.
    */
   struct RecordState
   {
     EventState    events;
     CadenceState  fault_cadence, volume_cadence;
-    VolumeEntries volumes;
+    VolumeEntries volumes, surfaces;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &events &fault_cadence &volume_cadence &volumes;
+      archive &events &fault_cadence &volume_cadence &volumes &surfaces;
     }
   };
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/simulation/fault_shapes.h>
+
+namespace StickSlip
+{
+  template <int dim>
+  std::vector<FaultShape<dim>>
+  make_fault_shapes(const JumpBasis<dim> &basis)
+  {
+    std::vector<FaultShape<dim>> shapes;
+    for (const FaultContact<dim> &fault : basis.faults())
+      {
+        FaultShape<dim> shape;
+        shape.surface = fault.slave_surface;
+        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
+          {
+            Tensor<2, dim>       axes   = fault.axes.at(k);
+            const Tensor<1, dim> normal = fault.axes.normal(k);
+            for (unsigned int d = 0; d < dim; ++d)
+              axes[d][dim - 1] = normal[d];
+            shape.axes.push_back(axes);
+          }
+        shapes.push_back(shape);
+      }
+    return shapes;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<Point<dim>>>
+  fault_positions(const JumpBasis<dim> &basis,
+                  const NodePartition  &nodes,
+                  const NodalVector    &displacement)
+  {
+    std::vector<std::vector<Point<dim>>> result;
+    for (const FaultContact<dim> &fault : basis.faults())
+      {
+        result.push_back(fault.slave_surface.points);
+        const auto moved =
+          gather_nodes<dim>(displacement, nodes, fault.slave_nodes);
+        for (unsigned int k = 0; k < moved.size(); ++k)
+          result.back()[k] += moved[k];
+      }
+    return result;
+  }
+
+
+
+  template decltype(make_fault_shapes<2>) make_fault_shapes<2>;
+  template decltype(make_fault_shapes<3>) make_fault_shapes<3>;
+  template decltype(fault_positions<2>)   fault_positions<2>;
+  template decltype(fault_positions<3>)   fault_positions<3>;
+} // namespace StickSlip
