@@ -15,7 +15,7 @@ import sys
 
 from common import figures, page, programs, store
 
-from . import large_slip, nine_bodies, slow_slip, weakening_patch
+from . import junctions, large_slip, nine_bodies, slow_slip, weakening_patch
 
 PAGE = programs.PROJECT / "doc/scenes.md"
 SECTIONS = {
@@ -23,6 +23,8 @@ SECTIONS = {
     "weakening_patch": weakening_patch.outcome,
     "large_slip": large_slip.outcome,
     "nine_body_stack": nine_bodies.outcome,
+    "crossing_faults": junctions.crossing,
+    "branching_fault": junctions.branching,
 }
 
 
