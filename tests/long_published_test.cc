@@ -111,7 +111,7 @@ namespace
     simulation.set_up();
     EventCatalogue<2> catalogue(folder.file("events.csv"),
                                 names,
-                                make_fault_shapes(
+                                make_fault_layouts(
                                   simulation.spatial_problem().jump_basis()),
                                 event_start_slip_rate(scene),
                                 scene.output.event_end_fraction);
