@@ -53,9 +53,9 @@ TEST(Topology, StackHasAFaultBetweenEachTwoBodies)
       EXPECT_TRUE(fault.sides[1][0] == (BodySide{f + 1, 4}));
     }
   using Sides = std::set<types::boundary_id>;
-  EXPECT_EQ(stack.sides_at_faults(0), Sides({5}));
-  EXPECT_EQ(stack.sides_at_faults(1), Sides({4, 5}));
-  EXPECT_EQ(stack.sides_at_faults(2), Sides({4}));
+  EXPECT_EQ(stack.sides_at_faults(0), (Sides{5}));
+  EXPECT_EQ(stack.sides_at_faults(1), (Sides{4, 5}));
+  EXPECT_EQ(stack.sides_at_faults(2), (Sides{4}));
   EXPECT_TRUE(stack.is_at_fault(0, 5));
   EXPECT_FALSE(stack.is_at_fault(0, 4));
 }
