@@ -216,6 +216,41 @@ TEST(SecantAxes, TiltAlongTheSlipOnACylinder)
 
 
 
+TEST(SecantAxes, KeepTheAxisOfReference)
+{
+  const auto position = [](const double angle, const double y) {
+    return Point<3>(radius * std::cos(angle), y, radius * std::sin(angle));
+  };
+  // Normal to x in the middle.
+  const std::vector<double> angles = uniform_breakpoints(20, -0.4, 0.4),
+                            ways   = uniform_breakpoints(8, -0.5, 0.5);
+  const Side<3> slave              = curved_grid(angles, ways, position);
+  Side<3>       master             = slave;
+  master.surface                   = reversed(master.surface);
+  const Tensor<1, 3> y({0., 1., 0.});
+  for (const double slip : {0., 0.02})
+    {
+      const FaultAxes<3> axes =
+        secant_coupling(slave.surface,
+                        master.surface,
+                        {0, 1},
+                        no_displacement(slave, master),
+                        std::vector<Tensor<1, 2>>(slave.positions.size(),
+                                                  Tensor<1, 2>({0., slip})),
+                        slip,
+                        y)
+          .axes;
+      for (unsigned int k = 0; k < slave.positions.size(); ++k)
+        {
+          const Tensor<2, 3> at = axes.at(k);
+          EXPECT_LT((Tensor<1, 3>({at[0][0], at[1][0], at[2][0]}) - y).norm(),
+                    1e-12);
+        }
+    }
+}
+
+
+
 TEST(SecantAxes, OfStuckNodesDoNotTilt)
 {
   Side<2> master                = arc(angles(40, 0.7), radius - 0.001);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/faults/background_stress.h>
 #include <stickslip/simulation/contact_change.h>
 
 #include <algorithm>
@@ -29,6 +30,17 @@ namespace StickSlip
         }
       space.to_nodal(velocity, w);
       slip_rate = now.tangential_jumps(w);
+    }
+
+
+
+    template <int dim>
+    bool
+    is_any_bent(const JumpBasis<dim> &basis)
+    {
+      return std::any_of(basis.faults().begin(),
+                         basis.faults().end(),
+                         [](const auto &contact) { return contact.is_bent; });
     }
   } // namespace
 
@@ -72,9 +84,7 @@ namespace StickSlip
                 const std::vector<Tensor<1, dim - 1>> &slip_rate,
                 const std::vector<double>             &distances)
   {
-    if (std::none_of(basis.faults().begin(),
-                     basis.faults().end(),
-                     [](const auto &contact) { return contact.is_bent; }))
+    if (!is_any_bent(basis))
       return {};
     double frequency = 0;
     for (unsigned int k = 0; k < slip_rate.size(); ++k)
@@ -84,6 +94,26 @@ namespace StickSlip
     for (Tensor<1, dim - 1> &slip : result)
       if (frequency > 0.)
         slip /= frequency;
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  background_normal_stress(const std::vector<FaultParameters> &faults,
+                           const JumpBasis<dim>               &basis)
+  {
+    const BackgroundStress<dim> background(faults);
+    if (!background.is_needed() || !is_any_bent(basis))
+      return {};
+    std::vector<double> result;
+    for (unsigned int f = 0; f < faults.size(); ++f)
+      {
+        std::vector<double> of_fault = background.normal_stress(basis, f);
+        of_fault.resize(basis.faults()[f].slave_nodes.size(), 0.);
+        result.insert(result.end(), of_fault.begin(), of_fault.end());
+      }
     return result;
   }
 
@@ -108,12 +138,14 @@ namespace StickSlip
 
 
 
-  template decltype(sliding_distances<2>) sliding_distances<2>;
-  template decltype(sliding_distances<3>) sliding_distances<3>;
-  template decltype(has_slid<2>)          has_slid<2>;
-  template decltype(has_slid<3>)          has_slid<3>;
-  template decltype(expected_slip<2>)     expected_slip<2>;
-  template decltype(expected_slip<3>)     expected_slip<3>;
-  template decltype(change_contact<2>)    change_contact<2>;
-  template decltype(change_contact<3>)    change_contact<3>;
+  template decltype(sliding_distances<2>)        sliding_distances<2>;
+  template decltype(sliding_distances<3>)        sliding_distances<3>;
+  template decltype(has_slid<2>)                 has_slid<2>;
+  template decltype(has_slid<3>)                 has_slid<3>;
+  template decltype(expected_slip<2>)            expected_slip<2>;
+  template decltype(expected_slip<3>)            expected_slip<3>;
+  template decltype(background_normal_stress<2>) background_normal_stress<2>;
+  template decltype(background_normal_stress<3>) background_normal_stress<3>;
+  template decltype(change_contact<2>)           change_contact<2>;
+  template decltype(change_contact<3>)           change_contact<3>;
 } // namespace StickSlip

@@ -274,8 +274,17 @@ namespace StickSlip
                     faults,
                     current.slip_rate,
                     sliding_distances(problem.jump_basis(), scene.contact));
-    const FaultNodes<dim> before = faults;
-    couple();
+    const FaultNodes<dim>     before = faults;
+    const std::vector<double> background_before =
+      background_normal_stress(scene.faults, problem.jump_basis());
+    problem.build_contact(run_state.coupled_displacement,
+                          run_state.expected_slip);
+    // Normals that have turned meet another background stress.
+    const std::vector<double> background =
+      background_normal_stress(scene.faults, problem.jump_basis());
+    for (unsigned int k = 0; k < background.size(); ++k)
+      run_state.stress_offset[k] += background[k] - background_before[k];
+    prepare();
     note_gaps();
     change_contact(current, problem, before, faults);
     if (energy)

@@ -134,7 +134,7 @@ def draw(results):
             color=colour, linestyle="--", label=f"drag of the waves, {result.ratio:g}")
     axes[3].axhline(NORMAL_STRESS / 1e3, color=ORANGE, linewidth=0.8,
                     label="weight")
-    axes[3].set(xlim=(2e-3, None), xlabel="slip [m]", ylabel="rms change [kPa]")
+    axes[3].set(xlim=(2e-3, 1), xlabel="slip [m]", ylabel="rms change [kPa]")
     axes[3].legend(loc="lower right", ncol=3)
     axes[3].grid(alpha=0.3)
     title(axes[3], "Roughness of the contact pressure (grey: sum of the waves)")

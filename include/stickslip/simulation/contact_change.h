@@ -5,6 +5,7 @@
 #define stickslip_simulation_contact_change_h
 
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/friction/fault_parameters.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
@@ -35,6 +36,13 @@ namespace StickSlip
                 const FaultNodes<dim>                 &faults,
                 const std::vector<Tensor<1, dim - 1>> &slip_rate,
                 const std::vector<double>             &distances);
+
+  /** The normal stress of the background stress at all slave nodes along their
+   * normals, Pa; empty where there is none, or no fault bends. */
+  template <int dim>
+  std::vector<double>
+  background_normal_stress(const std::vector<FaultParameters> &faults,
+                           const JumpBasis<dim>               &basis);
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
