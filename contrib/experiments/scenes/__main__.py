@@ -18,6 +18,7 @@ from common import figures, page, programs, store
 from . import (
     crack,
     curved_strike_slip,
+    junctions,
     large_slip,
     nine_bodies,
     rough_fault,
@@ -37,6 +38,8 @@ SECTIONS = {
     "thrust_sequence": thrusts.sequence,
     "crack": crack.outcome,
     "curved_strike_slip": curved_strike_slip.outcome,
+    "crossing_faults": junctions.crossing,
+    "branching_fault": junctions.branching,
 }
 
 
