@@ -62,8 +62,11 @@ end
 subsection Bodies
   set Names     = disc, ring
   set Mesh file = ring.msh
-  subsection ring
+  subsection disc
     set Uniform refinements = 1
+  end
+  subsection ring
+    set Uniform refinements = 2
   end
 end
 subsection Faults
