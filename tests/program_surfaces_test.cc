@@ -57,13 +57,16 @@ subsection Boundary conditions
 end
 )";
 
-  // The disc turns in the ring.
+  // The ring is sheared around the disc.
   const std::string ring = all_fields + R"(
 subsection Bodies
   set Names     = disc, ring
   set Mesh file = ring.msh
-  subsection ring
+  subsection disc
     set Uniform refinements = 1
+  end
+  subsection ring
+    set Uniform refinements = 2
   end
 end
 subsection Faults
@@ -77,7 +80,7 @@ subsection Boundary conditions
   set Sides = ring outside
   subsection ring outside
     set x condition = velocity
-    set x value     = -1e-2 * y
+    set x value     = 1e-2 * y
     set y condition = velocity
     set y value     = 1e-2 * x
   end
