@@ -18,7 +18,9 @@ import time
 
 from common import page, programs
 
-from . import comparison, figures, iterations, kernels, measuring, newton, runs
+from . import (
+    comparison, crossings, figures, iterations, kernels, measuring, newton, runs,
+)
 
 PAGE = programs.PROJECT / "doc/performance.md"
 
@@ -30,6 +32,7 @@ SECTIONS = {
         iterations.Levels,
         iterations.Curved,
         iterations.Bodies,
+        crossings,
         kernels.Costs,
         kernels.Kernels,
         newton,

@@ -22,17 +22,15 @@ namespace Measure
   {
     explicit CoupledProblem(const SceneParameters<dim> &scene)
     {
-      std::vector<BodyGeometry<dim>> geometries;
-      std::vector<std::string>       names;
+      std::vector<std::string> names;
       for (const BodyParameters<dim> &body : scene.bodies)
         {
-          geometries.push_back(body.geometry);
           materials.push_back(body.material);
           names.push_back(body.name);
         }
       const double bytes_at_start = allocated_bytes();
       meshes_time                 = seconds([&]() {
-        meshes = std::make_unique<MeshHierarchy<dim>>(geometries,
+        meshes = std::make_unique<MeshHierarchy<dim>>(scene.coarse_bodies(),
                                                       scene.topology,
                                                       MPI_COMM_WORLD);
         boundary =
