@@ -279,7 +279,7 @@ TEST(MeshScene, MistakesAreAnsweredWithOneSentence)
                            {"Bodies/lower/Thickness", "no effect"});
   expect_one_sentence_with(message_of_scene(
                              with(bricks + rest, "Bodies", "Length unit = 2")),
-                           {"Bodies/Length unit", "no 'Bodies/Mesh file'"});
+                           {"Bodies/Length unit", "bricks in a stack"});
   expect_one_sentence_with(
     message_of_scene(with(scene + "subsection Faults\n subsection main\n"
                                   "end\nend\n",
@@ -297,5 +297,5 @@ TEST(MeshScene, MistakesAreAnsweredWithOneSentence)
                                   "end\nend\n",
                           "main",
                           "Normal stress = lithostatic")),
-    {"Faults/main/Normal stress", "Mesh file"});
+    {"Faults/main/Normal stress", "bricks in a stack"});
 }

@@ -106,7 +106,7 @@ namespace StickSlip::Tests
 
 
   /** The jump basis of a level without displacement, with the axes of its own
-   * surfaces. */
+   * surfaces; @p reference: the reference axis of faults normal to x. */
   template <int dim>
   JumpBasis<dim>
   undeformed_basis(
@@ -122,7 +122,10 @@ namespace StickSlip::Tests
           nodal_normals(level.surface(f, sides[f].slave));
         for (Tensor<1, dim> &normal : normals)
           normal *= -sides[f].sign();
-        axes.emplace_back(normals, reference);
+        axes.emplace_back(normals,
+                          std::abs(normals[0][0]) > 0.9 ?
+                            reference :
+                            FaultAxes<dim>::first_axis());
       }
     return JumpBasis<dim>(level,
                           sides,
