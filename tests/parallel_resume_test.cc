@@ -44,40 +44,46 @@ namespace
 /* A run on all processes goes on alone, and one alone on all processes. */
 TEST(ParallelResume, AnyNumberOfProcessesGoesOn)
 {
-  const SceneParameters<2> scene =
-    read_scene(creeping_bodies,
-               {"Boundary conditions/upper top/x value=0.25",
-                "Boundary conditions/upper top/Ramp length=0.2",
-                "Faults/fault/Reference slip rate=0.25",
-                "Faults/fault/Characteristic slip=0.25",
-                "Faults/fault/Normal stress function=1e3",
-                "Time/End time=1.1",
-                "Time/Largest step=0.05",
-                "Time/Tolerance=1e-3",
-                "TNNMG/Tolerance=1e-9"});
-  const TemporaryFolder folder;
-  const std::string     file =
-    Utilities::MPI::broadcast(MPI_COMM_WORLD, folder.file("state"));
-  Simulation<2> shared(scene, MPI_COMM_WORLD), alone(scene, MPI_COMM_SELF);
-  shared.set_up();
-  advance_until(shared, 0.5);
-  shared.write_state(file);
-  EXPECT_GT(shared.counts().contact_mappings, 2u);
-  alone.resume(file);
-  advance_until(shared, 0.8);
-  advance_until(alone, 0.8);
-  expect_close(alone, shared);
+  // A level fault, and one that bends.
+  for (const char *elevation : {"level", "0.005*sin(3*x)"})
+    {
+      const SceneParameters<2> scene =
+        read_scene(creeping_bodies,
+                   {std::string("Faults/fault/Elevation=") + elevation,
+                    "Boundary conditions/upper top/x value=0.25",
+                    "Boundary conditions/upper top/Ramp length=0.2",
+                    "Faults/fault/Reference slip rate=0.25",
+                    "Faults/fault/Characteristic slip=0.25",
+                    "Faults/fault/Normal stress function=1e3",
+                    "Time/End time=1.1",
+                    "Time/Largest step=0.05",
+                    "Time/Tolerance=1e-3",
+                    "TNNMG/Tolerance=1e-9"});
+      const TemporaryFolder folder;
+      const std::string     file =
+        Utilities::MPI::broadcast(MPI_COMM_WORLD, folder.file("state"));
+      Simulation<2> shared(scene, MPI_COMM_WORLD), alone(scene, MPI_COMM_SELF);
+      shared.set_up();
+      advance_until(shared, 0.5);
+      shared.write_state(file);
+      EXPECT_GT(shared.counts().contact_mappings, 2u);
+      alone.resume(file);
+      advance_until(shared, 0.8);
+      advance_until(alone, 0.8);
+      expect_close(alone, shared);
 
-  const bool is_first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const std::string second =
-    Utilities::MPI::broadcast(MPI_COMM_WORLD, folder.file("second"));
-  alone.write_state(is_first ? second : folder.file("mine"));
-  MPI_Barrier(MPI_COMM_WORLD);
-  Simulation<2> shared_again(scene, MPI_COMM_WORLD);
-  shared_again.resume(second);
-  advance_until(alone, 1.1);
-  advance_until(shared_again, 1.1);
-  expect_close(alone, shared_again);
-  // No process deletes its files before the others have read them.
-  MPI_Barrier(MPI_COMM_WORLD);
+      const bool is_first =
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+      const std::string second =
+        Utilities::MPI::broadcast(MPI_COMM_WORLD, folder.file("second"));
+      alone.write_state(is_first ? second : folder.file("mine"));
+      MPI_Barrier(MPI_COMM_WORLD);
+      Simulation<2> shared_again(scene, MPI_COMM_WORLD);
+      shared_again.resume(second);
+      advance_until(alone, 1.1);
+      advance_until(shared_again, 1.1);
+      expect_close(alone, shared_again);
+      // No process deletes its files before the others have read them.
+      MPI_Barrier(MPI_COMM_WORLD);
+    }
 }

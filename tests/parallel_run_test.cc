@@ -83,6 +83,14 @@ TEST(ParallelRun, LargeSlidingOfNonmatchingMeshesIsTheSame)
 
 
 
+TEST(ParallelRun, LargeSlidingOverABendIsTheSame)
+{
+  expect_equal_sliding({"Faults/fault/Elevation=0.005 * sin(3 * x)",
+                        "Bodies/lower/Coarse cells=7, 2"});
+}
+
+
+
 TEST(ParallelRun, LargeSlidingOfEndlessBodiesIsTheSame)
 {
   expect_equal_sliding({"Boundary conditions/Periodic along x=true",

@@ -89,6 +89,8 @@ TEST(Resume, GoesOnWithTheSameBitsAfterTheContactHasChanged)
         Settings{"Time/Step size control=constant"},
         Settings{"Time/Rate solver=condensed Newton"},
         Settings{"Time/Rate-state method=nested"},
+        Settings{"Faults/fault/Elevation=0.005*sin(3*x)"},
+        following + Settings{"Faults/fault/Elevation=0.005*sin(3*x)"},
         Settings{"Boundary conditions/upper top/x value=0.25+0.1*sin(5*t)"}})
     {
       SCOPED_TRACE(more.empty() ? "as it is" : more.back());
