@@ -82,6 +82,7 @@ VARIANTS = {
         "Faults/fault/Regions/Names": "middle",
         "Faults/fault/Regions/middle/Where": "abs(x) < 1",
     },
+    "fault that bends": {"Faults/fault/Elevation": "0.05*sin(2*pi*x/5)"},
     "normal stress follows": {"Faults/fault/Normal stress follows": "true"},
     "lower body rigid": {
         "Bodies/lower/Rigid": "true", "Faults/fault/Normal stress": "lithostatic",
