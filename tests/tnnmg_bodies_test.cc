@@ -2,13 +2,10 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/time/newmark.h>
-#include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <algorithm>
-#include <functional>
 
-#include "friction_chain.h"
+#include "iteration_counts.h"
 #include "stacked_bodies.h"
 
 using namespace StickSlip;
@@ -16,16 +13,7 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  using Alpha = std::function<double(const double, const unsigned int)>;
-
-  const std::vector<std::pair<const char *, Alpha>> states = {
-    {"stuck", [](const double, const unsigned int) { return 12.; }},
-    {"slipping", [](const double, const unsigned int) { return -9.; }},
-    {"half and half",
-     [](const double x, const unsigned int) { return x < 0 ? -9. : 9.; }},
-    {"random", [](const double, const unsigned int k) {
-       return 8. * std::sin(12.9898 * (k + 1.));
-     }}};
+  const NamedStates states = stuck_and_slipping(0.);
 
 
 
@@ -111,52 +99,14 @@ namespace
           }
       }
 
-    // All faults with the same normal stress.
-    const LevelDescription<2> &level = problem.hierarchy().finest();
-    std::vector<double>        weights(level.nonsmooth_nodes.size()),
-      places(level.nonsmooth_nodes.size());
-    for (const FaultContact<2> &fault : problem.jump_basis().faults())
-      for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
-        {
-          const auto term =
-            std::lower_bound(level.nonsmooth_nodes.begin(),
-                             level.nonsmooth_nodes.end(),
-                             level.nodes.local_index(fault.slave_nodes[k]));
-          if (term == level.nonsmooth_nodes.end() ||
-              *term != level.nodes.local_index(fault.slave_nodes[k]))
-            continue;
-          const unsigned int position = term - level.nonsmooth_nodes.begin();
-          weights[position]           = fault.coupling.weight[k];
-          places[position]            = fault.slave_surface.points[k][0];
-        }
-
-    std::vector<unsigned int> result;
-    for (const double tau : taus)
-      {
-        problem.combine(Newmark<2>().operator_coefficients(tau));
-        const NodalVector rhs =
-          Newmark<2>().right_hand_side(problem, state, tau);
-        for (const auto &[name, alpha] : states)
-          {
-            std::vector<double> alphas;
-            for (unsigned int k = 0; k < places.size(); ++k)
-              alphas.push_back(alpha(places[k], k));
-            const Friction<2>     friction = make_friction<2>(Kind::truncated,
-                                                          level.nonsmooth_nodes,
-                                                          weights,
-                                                          load.normal_stress,
-                                                          alphas);
-            const TNNMGParameters parameters;
-            TNNMGSolver<2>        solver(problem.hierarchy(), parameters);
-            NodalVector           w = problem.make_vector();
-            boundary.set_velocities(10., w);
-            const SolveSummary summary =
-              solver.solve(*friction.functional, rhs, w);
-            EXPECT_TRUE(summary.converged) << name << '\n' << summary;
-            result.push_back(summary.iterations.size());
-          }
-      }
-    return result;
+    return iterations_from_zero(
+      problem,
+      boundary,
+      state,
+      load.normal_stress,
+      [](const Point<2> &x) { return x[0]; },
+      states,
+      taus);
   }
 } // namespace
 
@@ -170,23 +120,7 @@ TEST(TNNMG, IterationsDoNotGrowWithTheNumberOfBodies)
     counts.push_back(iterations(layers(n_bodies),
                                 {2.5e4, 4.9e4, BoundaryType::velocity, "2e-4"},
                                 taus));
-  for (unsigned int k = 0; k < counts.front().size(); ++k)
-    {
-      std::string  text;
-      unsigned int least = 1000, most = 0;
-      for (const auto &of_bodies : counts)
-        {
-          least = std::min(least, of_bodies[k]);
-          most  = std::max(most, of_bodies[k]);
-          text += ' ' + std::to_string(of_bodies[k]);
-        }
-      const std::string name =
-        std::string(states[k % states.size()].first) +
-        ", tau = " + std::to_string(taus[k / states.size()]) + ":" + text;
-      std::cout << name << '\n';
-      EXPECT_LE(most - least, 2u) << name;
-      EXPECT_LE(most, 12u) << name;
-    }
+  expect_alike(counts, states, taus);
 }
 
 

@@ -3,14 +3,9 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/scene/scene_reader.h>
-#include <stickslip/time/newmark.h>
-#include <stickslip/tnnmg/tnnmg_solver.h>
-
-#include <algorithm>
-#include <functional>
 
 #include "crossing_mesh.h"
-#include "friction_chain.h"
+#include "iteration_counts.h"
 #include "stacked_bodies.h"
 #include "temporary_folder.h"
 
@@ -19,18 +14,8 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  using Alpha = std::function<double(const double, const unsigned int)>;
-
-  const std::vector<std::pair<const char *, Alpha>> states = {
-    {"stuck", [](const double, const unsigned int) { return 12.; }},
-    {"slipping", [](const double, const unsigned int) { return -9.; }},
-    {"half and half",
-     [](const double x, const unsigned int) { return x < 0.1 ? -9. : 9.; }},
-    {"random", [](const double, const unsigned int k) {
-       return 8. * std::sin(12.9898 * (k + 1.));
-     }}};
-
-  const std::vector<double> taus = {1e-4, 1e-2, 1e-1};
+  const NamedStates         states = stuck_and_slipping(0.1);
+  const std::vector<double> taus   = {1e-4, 1e-2, 1e-1};
 
 
 
@@ -92,72 +77,14 @@ end
     state.velocity     = shear(5e-5);
     state.acceleration = problem.make_nodal_vector();
 
-    const LevelDescription<2> &level = problem.hierarchy().finest();
-    std::vector<double>        weights(level.nonsmooth_nodes.size()),
-      places(level.nonsmooth_nodes.size());
-    for (const FaultContact<2> &fault : problem.jump_basis().faults())
-      for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
-        if (fault.coupling.active[k])
-          {
-            const unsigned int position =
-              std::lower_bound(level.nonsmooth_nodes.begin(),
-                               level.nonsmooth_nodes.end(),
-                               level.nodes.local_index(fault.slave_nodes[k])) -
-              level.nonsmooth_nodes.begin();
-            weights[position] = fault.coupling.weight[k];
-            places[position]  = fault.slave_surface.points[k][0] +
-                               fault.slave_surface.points[k][1];
-          }
-
-    std::vector<unsigned int> result;
-    for (const double tau : taus)
-      {
-        problem.combine(Newmark<2>().operator_coefficients(tau));
-        const NodalVector rhs =
-          Newmark<2>().right_hand_side(problem, state, tau);
-        for (const auto &[name, alpha] : states)
-          {
-            std::vector<double> alphas;
-            for (unsigned int k = 0; k < places.size(); ++k)
-              alphas.push_back(alpha(places[k], k));
-            const Friction<2> friction = make_friction<2>(
-              Kind::truncated, level.nonsmooth_nodes, weights, 4.9e4, alphas);
-            const TNNMGParameters parameters;
-            TNNMGSolver<2>        solver(problem.hierarchy(), parameters);
-            NodalVector           w = problem.make_vector();
-            boundary.set_velocities(10., w);
-            const SolveSummary summary =
-              solver.solve(*friction.functional, rhs, w);
-            EXPECT_TRUE(summary.converged) << name << '\n' << summary;
-            result.push_back(summary.iterations.size());
-          }
-      }
-    return result;
-  }
-
-
-
-  /** Counts of several scenes agree up to two, and are small. */
-  void
-  expect_alike(const std::vector<std::vector<unsigned int>> &counts)
-  {
-    for (unsigned int k = 0; k < counts.front().size(); ++k)
-      {
-        std::string  text;
-        unsigned int least = 1000, most = 0;
-        for (const auto &of_scene : counts)
-          {
-            least = std::min(least, of_scene[k]);
-            most  = std::max(most, of_scene[k]);
-            text += ' ' + std::to_string(of_scene[k]);
-          }
-        const std::string name =
-          std::string(states[k % states.size()].first) +
-          ", tau = " + std::to_string(taus[k / states.size()]) + ":" + text;
-        std::cout << name << '\n';
-        EXPECT_LE(most - least, 2u) << name;
-        EXPECT_LE(most, 12u) << name;
-      }
+    return iterations_from_zero(
+      problem,
+      boundary,
+      state,
+      4.9e4,
+      [](const Point<2> &x) { return x[0] + x[1]; },
+      states,
+      taus);
   }
 } // namespace
 
@@ -168,7 +95,7 @@ TEST(TNNMG, IterationsDoNotGrowWithTheNumberOfCrossingFaults)
   std::vector<std::vector<unsigned int>> counts;
   for (const unsigned int n_faults : {1, 2, 3, 4, 8})
     counts.push_back(iterations(n_faults, 2));
-  expect_alike(counts);
+  expect_alike(counts, states, taus);
 }
 
 
@@ -178,5 +105,5 @@ TEST(TNNMG, IterationsOfCrossingFaultsDoNotGrowWithRefinement)
   std::vector<std::vector<unsigned int>> counts;
   for (const unsigned int n_refinements : {1, 2, 3})
     counts.push_back(iterations(4, n_refinements));
-  expect_alike(counts);
+  expect_alike(counts, states, taus);
 }
