@@ -8,6 +8,7 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/face_area.h>
 #include <stickslip/mesh/fault_shape.h>
 
 #include <algorithm>
@@ -74,15 +75,10 @@ namespace StickSlip
     outward_area(const typename Triangulation<dim>::face_iterator &face,
                  const Point<dim>                                 &cell_centre)
     {
-      Tensor<1, dim> area;
-      if constexpr (dim == 2)
-        area = cross_product_2d(face->vertex(1) - face->vertex(0));
-      else if (face->n_vertices() == 3)
-        area = 0.5 * cross_product_3d(face->vertex(1) - face->vertex(0),
-                                      face->vertex(2) - face->vertex(0));
-      else
-        area = 0.5 * cross_product_3d(face->vertex(3) - face->vertex(0),
-                                      face->vertex(2) - face->vertex(1));
+      std::array<Point<dim>, GeometryInfo<dim>::vertices_per_face> vertices;
+      for (const auto v : face->vertex_indices())
+        vertices[v] = face->vertex(v);
+      const Tensor<1, dim> area = face_area<dim>(vertices, face->n_vertices());
       return area * (face->center() - cell_centre) > 0. ? area : -area;
     }
 

@@ -36,6 +36,23 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  Tensor<1, dim>
+  face_area(const std::array<Point<dim>, GeometryInfo<dim>::vertices_per_face>
+                              &vertices,
+            const unsigned int n_vertices)
+  {
+    const auto &v = vertices;
+    if constexpr (dim == 2)
+      return cross_product_2d(v[1] - v[0]);
+    else if (n_vertices == 3)
+      return 0.5 * cross_product_3d(v[1] - v[0], v[2] - v[0]);
+    else
+      return 0.5 * cross_product_3d(v[3] - v[0], v[2] - v[1]);
+  }
+
+
+
   template Point<2>
   face_centre<2>(const GroupedCells<2> &, const CellFaces<2>::Face &);
   template Point<3>
@@ -44,4 +61,8 @@ namespace StickSlip
   face_area<2>(const GroupedCells<2> &, const CellFaces<2>::Face &);
   template Tensor<1, 3>
   face_area<3>(const GroupedCells<3> &, const CellFaces<3>::Face &);
+  template Tensor<1, 2>
+  face_area<2>(const std::array<Point<2>, 2> &, const unsigned int);
+  template Tensor<1, 3>
+  face_area<3>(const std::array<Point<3>, 4> &, const unsigned int);
 } // namespace StickSlip

@@ -3,32 +3,11 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/mesh/face_area.h>
 #include <stickslip/mortar/moved_surface.h>
 
 namespace StickSlip
 {
-  namespace
-  {
-    /** The area vector of a face with vertices in deal.II's order; in three
-     * dimensions that of the diagonals of a quadrilateral. */
-    Tensor<1, 2>
-    area_vector(const std::array<Point<2>, 2> &x, const unsigned int)
-    {
-      return cross_product_2d(x[1] - x[0]);
-    }
-
-
-
-    Tensor<1, 3>
-    area_vector(const std::array<Point<3>, 4> &x, const unsigned int n_vertices)
-    {
-      return n_vertices == 3 ? cross_product_3d(x[1] - x[0], x[2] - x[0]) :
-                               cross_product_3d(x[3] - x[0], x[2] - x[1]);
-    }
-  } // namespace
-
-
-
   template <int dim>
   FaultSurface<dim>
   moved_surface(const FaultSurface<dim>       &surface,
@@ -44,10 +23,10 @@ namespace StickSlip
         const Tensor<1, dim> &before = surface.normal_of(f);
         // The order of the vertices tells on which side the body is.
         const bool is_outward =
-          area_vector(surface.face_vertices(surface.points, f), n) * before >
+          face_area<dim>(surface.face_vertices(surface.points, f), n) * before >
           0.;
         Tensor<1, dim> area =
-          area_vector(surface.face_vertices(positions, f), n);
+          face_area<dim>(surface.face_vertices(positions, f), n);
         if (!is_outward)
           area *= -1.;
         AssertThrow(area * before > 0.,

@@ -4,9 +4,13 @@
 #ifndef stickslip_mesh_face_area_h
 #define stickslip_mesh_face_area_h
 
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <stickslip/mesh/cell_faces.h>
+
+#include <array>
 
 namespace StickSlip
 {
@@ -22,6 +26,15 @@ namespace StickSlip
   Tensor<1, dim>
   face_area(const GroupedCells<dim>             &mesh,
             const typename CellFaces<dim>::Face &face);
+
+  /** The area of a face by the first @p n_vertices of its vertices in
+   * deal.II's order, m^(dim-1), times its normal on one side, which depends on
+   * that order: of a line to the right of it. */
+  template <int dim>
+  Tensor<1, dim>
+  face_area(const std::array<Point<dim>, GeometryInfo<dim>::vertices_per_face>
+                              &vertices,
+            const unsigned int n_vertices);
 } // namespace StickSlip
 
 #endif
