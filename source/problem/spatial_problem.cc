@@ -20,7 +20,7 @@ namespace StickSlip
                             boundary_values,
                             gravity,
                             with_inertia)
-    , background_stress(background_stress)
+    , background(background_stress)
   {
     build_contact(this->make_nodal_vector());
   }
@@ -40,10 +40,9 @@ namespace StickSlip
     this->make_operator(this->jump_product(),
                         this->rotation_coupling(),
                         this->descriptions());
-    if (background_stress.is_needed())
+    if (background.is_needed())
       this->set_fault_load(
-        background_stress.load(this->jump_basis(),
-                               this->descriptions().back().nodes));
+        background.load(this->jump_basis(), this->descriptions().back().nodes));
   }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/faults/background_stress.h>
 #include <stickslip/simulation/contact_change.h>
 
 #include <algorithm>
@@ -101,14 +100,13 @@ namespace StickSlip
 
   template <int dim>
   std::vector<double>
-  background_normal_stress(const std::vector<FaultParameters> &faults,
-                           const JumpBasis<dim>               &basis)
+  background_normal_stress(const BackgroundStress<dim> &background,
+                           const JumpBasis<dim>        &basis)
   {
-    const BackgroundStress<dim> background(faults);
     if (!background.is_needed() || !is_any_bent(basis))
       return {};
     std::vector<double> result;
-    for (unsigned int f = 0; f < faults.size(); ++f)
+    for (unsigned int f = 0; f < basis.faults().size(); ++f)
       {
         std::vector<double> of_fault = background.normal_stress(basis, f);
         of_fault.resize(basis.faults()[f].slave_nodes.size(), 0.);

@@ -276,12 +276,14 @@ namespace StickSlip
                     sliding_distances(problem.jump_basis(), scene.contact));
     const FaultNodes<dim>     before = faults;
     const std::vector<double> background_before =
-      background_normal_stress(scene.faults, problem.jump_basis());
+      background_normal_stress(problem.background_stress(),
+                               problem.jump_basis());
     problem.build_contact(run_state.coupled_displacement,
                           run_state.expected_slip);
     // Normals that have turned meet another background stress.
     const std::vector<double> background =
-      background_normal_stress(scene.faults, problem.jump_basis());
+      background_normal_stress(problem.background_stress(),
+                               problem.jump_basis());
     for (unsigned int k = 0; k < background.size(); ++k)
       run_state.stress_offset[k] += background[k] - background_before[k];
     prepare();

@@ -47,8 +47,14 @@ namespace StickSlip
     build_contact(const NodalVector                     &displacement,
                   const std::vector<Tensor<1, dim - 1>> &expected_slip = {});
 
+    const BackgroundStress<dim> &
+    background_stress() const
+    {
+      return background;
+    }
+
   private:
-    BackgroundStress<dim> background_stress;
+    BackgroundStress<dim> background;
   };
 } // namespace StickSlip
 

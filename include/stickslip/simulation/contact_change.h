@@ -4,8 +4,8 @@
 #ifndef stickslip_simulation_contact_change_h
 #define stickslip_simulation_contact_change_h
 
+#include <stickslip/faults/background_stress.h>
 #include <stickslip/faults/fault_nodes.h>
-#include <stickslip/friction/fault_parameters.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
@@ -41,8 +41,8 @@ namespace StickSlip
    * normals, Pa; empty where there is none, or no fault bends. */
   template <int dim>
   std::vector<double>
-  background_normal_stress(const std::vector<FaultParameters> &faults,
-                           const JumpBasis<dim>               &basis);
+  background_normal_stress(const BackgroundStress<dim> &background,
+                           const JumpBasis<dim>        &basis);
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
