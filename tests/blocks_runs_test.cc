@@ -69,18 +69,7 @@ end
 
 
 
-  std::string
-  number(const double x)
-  {
-    std::ostringstream out;
-    out.precision(17);
-    out << x;
-    return out.str();
-  }
-
-
-
-  /** The same bodies by their corners, turned about the origin. */
+  /** Wedge and layer by their corners, turned about the origin. */
   std::string
   blocks(const double angle)
   {
@@ -88,8 +77,9 @@ end
       std::string text;
       for (const Point<2> &p : points)
         text += (text.empty() ? "" : ", ") +
-                number(std::cos(angle) * p[0] - std::sin(angle) * p[1]) + " " +
-                number(std::sin(angle) * p[0] + std::cos(angle) * p[1]);
+                shortest_form(std::cos(angle) * p[0] - std::sin(angle) * p[1]) +
+                " " +
+                shortest_form(std::sin(angle) * p[0] + std::cos(angle) * p[1]);
       return text;
     };
     return "subsection Bodies\n  set Names = lower, upper\n"
@@ -114,10 +104,10 @@ end
     return RunHistory(
       SceneReader(folder.write("scene.prm", bodies + rest),
                   {"Boundary conditions/lower bottom/x value=" +
-                     number(speed * std::cos(angle)),
+                     shortest_form(speed * std::cos(angle)),
                    "Boundary conditions/lower bottom/y value=" +
-                     number(speed * std::sin(angle)),
-                   "Gravity/Dip=" + number(angle * 180. / numbers::PI)})
+                     shortest_form(speed * std::sin(angle)),
+                   "Gravity/Dip=" + shortest_form(angle * 180. / numbers::PI)})
         .read<2>());
   }
 

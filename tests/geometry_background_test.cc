@@ -62,8 +62,8 @@ namespace
 
 
 
-  /** That the background stress alone is carried by the fault as it is with
-   * the same shear stress in the bodies, and a given normal stress. */
+  /** Equality of two runs: with a background stress alone, and with the same
+   * shear stress in the bodies and a given normal stress. */
   void
   expect_equivalent(const Settings &more, const double tolerance = 1e-7)
   {

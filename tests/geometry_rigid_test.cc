@@ -47,11 +47,11 @@ namespace
                  "Bodies/upper/Refinement passes=0",
                  "Faults/fault/Friction=velocity strengthening",
                  "Faults/fault/Normal stress=initial equilibrium",
-                 "Gravity/Dip=" + number(angle * 180. / numbers::PI),
+                 "Gravity/Dip=" + shortest_form(angle * 180. / numbers::PI),
                  bottom + "x condition=velocity",
                  bottom + "y condition=velocity",
-                 bottom + "x value=" + number(-1e-3 * std::cos(angle)),
-                 bottom + "y value=" + number(-1e-3 * std::sin(angle)),
+                 bottom + "x value=" + shortest_form(-1e-3 * std::cos(angle)),
+                 bottom + "y value=" + shortest_form(-1e-3 * std::sin(angle)),
                  top + "x condition=fixed",
                  top + "y condition=free",
                  "Time/Inertia=quasi-dynamic",
@@ -64,7 +64,7 @@ namespace
 
 
 
-  /** The same of bricks, on a level. */
+  /** Bricks of the same shape, on a level. */
   const std::string bricks = R"(
 subsection Bodies
   set Names          = lower, upper

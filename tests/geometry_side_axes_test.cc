@@ -23,8 +23,8 @@ namespace
 {
   using Settings = std::vector<std::string>;
 
-  /** What drives the upper body: rollers below, ends that are held along their
-   * tangent, and a top with a velocity along it and a pressure. */
+  /** Conditions that drive the upper body: rollers below, ends that are held
+   * along their tangent, and a top with a velocity along it and a pressure. */
   const std::string along_sides = R"(
 subsection Boundary conditions
   set Sides = lower bottom, upper top
@@ -81,7 +81,7 @@ end
       SceneReader(folder.write("layers.prm",
                                without_conditions(turned_scene(angle)) +
                                  conditions),
-                  {"Gravity/Dip=" + number(angle * 180. / numbers::PI),
+                  {"Gravity/Dip=" + shortest_form(angle * 180. / numbers::PI),
                    "Time/Step size control=constant",
                    "Time/Largest step=0.02",
                    "Time/End time=1.2",
@@ -145,7 +145,7 @@ TEST(SideAxes, ErrorsAreInOneSentence)
   expect_one_sentence_with(message(with("set normal condition     = fixed",
                                         "set y condition = fixed")),
                            {"y condition", "there is no such entry"});
-  // What holds the bodies along the normal alone leaves them free along the
+  // Sides that are held along the normal alone leave the bodies free along the
   // tangent.
   conditions =
     with("set tangential condition = fixed", "set tangential condition = free");

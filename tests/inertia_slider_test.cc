@@ -46,7 +46,7 @@ namespace
 
 
 
-  /** The same slider without space. */
+  /** Slider without space that stands for the layers. */
   RadiatingSlider
   slider(const EndlessLayers &layers, const bool radiates)
   {

@@ -147,7 +147,7 @@ TEST(SecantAxes, AreAlongTheChordOfACircle)
               EXPECT_LT(
                 (Tensor<1, 2>({turned[0][0], turned[1][0]}) - chord).norm(),
                 1e-3 * std::abs(slip) / 0.02);
-              // It has turned by half of the angle slid over.
+              // The tangent has turned by half of the angle slid over.
               EXPECT_NEAR((tangent - chord).norm(),
                           0.5 * std::abs(slip) / radius,
                           2e-5);

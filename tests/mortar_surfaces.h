@@ -118,7 +118,7 @@ namespace StickSlip
 
 
 
-  /** The same side with nodes and faces renumbered and half of the faces
+  /** A copy of a side with nodes and faces renumbered and half of the faces
    * reversed.
    */
   template <int dim>

@@ -79,7 +79,7 @@ namespace StickSlip::Tests
 
 
 
-  /** The same difference for vectors. */
+  /** Largest difference of vectors, as above. */
   inline double
   difference(const NodalVector                          &shared,
              const NodePartition                        &nodes,

@@ -27,10 +27,10 @@ namespace
     return RunHistory(
       SceneReader(folder.write("layers.prm", turned_scene(angle)),
                   {"Boundary conditions/upper top/x value=" +
-                     number(speed * std::cos(angle)),
+                     shortest_form(speed * std::cos(angle)),
                    "Boundary conditions/upper top/y value=" +
-                     number(speed * std::sin(angle)),
-                   "Gravity/Dip=" + number(angle * 180. / numbers::PI)})
+                     shortest_form(speed * std::sin(angle)),
+                   "Gravity/Dip=" + shortest_form(angle * 180. / numbers::PI)})
         .read<2>());
   }
 

@@ -123,17 +123,6 @@ end
 
 
 
-  inline std::string
-  number(const double x)
-  {
-    std::ostringstream out;
-    out.precision(17);
-    out << x;
-    return out.str();
-  }
-
-
-
   /** The scene of layers turned by an angle, about which cells are refined. */
   inline std::string
   turned_scene(const double angle)
@@ -143,7 +132,7 @@ end
          std::map<std::string, double>{{"nx", -std::sin(angle)},
                                        {"ny", std::cos(angle)}})
       for (std::size_t at; (at = scene.find(name)) != std::string::npos;)
-        scene.replace(at, name.size(), "(" + number(value) + ")");
+        scene.replace(at, name.size(), "(" + shortest_form(value) + ")");
     return scene;
   }
 } // namespace StickSlip::Tests

@@ -45,7 +45,7 @@ namespace
 
 
 
-  /** The same column as a scene, one cell wide. */
+  /** Scene of a column, one cell wide. */
   std::string
   scene_of(const WaveColumn &column, const unsigned int n_cells)
   {

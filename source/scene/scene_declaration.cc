@@ -104,19 +104,18 @@ namespace StickSlip
                    entries.group,
                    "The physical group of its faces in the mesh files; empty: "
                    "that of the fault's name.");
-          add_text(
-            prm,
-            "Between",
-            entries.between,
-            "With mesh files, the bodies on both sides of the fault, "
-            "separated by a comma: slip is the motion of the second "
-            "relative to the first, and the normal points to the "
-            "second. Empty: the body listed first in 'Bodies/Names' is "
-            "first; where a body is on both sides, the normal points "
-            "upwards. Sides with nodes of their own, whose meshes need "
-            "not match, and those of blocks, are given as '<body> <side>', several of them "
-            "joined by a plus sign: 'lower top, left bottom + right "
-            "bottom'.");
+          add_text(prm,
+                   "Between",
+                   entries.between,
+                   "With mesh files, the bodies on both sides of the fault, "
+                   "separated by a comma: slip is the motion of the second "
+                   "relative to the first, and the normal points to the "
+                   "second. Empty: the body listed first in 'Bodies/Names' is "
+                   "first; where a body is on both sides, the normal points "
+                   "upwards. Sides with nodes of their own, whose meshes need "
+                   "not match, and those of blocks, are given as '<body> "
+                   "<side>', several of them joined by a plus sign: 'lower "
+                   "top, left bottom + right bottom'.");
           scene.fault_geometries[f].section = scene.faults[f].section();
           scene.fault_geometries[f].add_parameters(prm);
           if (dim == 3)

@@ -19,8 +19,8 @@ namespace StickSlip
    *
    * Points are the nodes of the fault in the order of the snapshot, at its
    * FaultSnapshot::positions; cells are lines, triangles or quadrilaterals.
-   * Where a periodic fault goes on at its other end, that end's nodes have a
-   * second point there, behind all others. Of each node there are
+   * Nodes at the end of a periodic fault have a second point at its other end,
+   * where it goes on, behind all others. Of each node there are
    *
    *   tangent [_1, _2]  unit vectors of the components of slip and traction
    *   normal            unit vector from the first to the second side
