@@ -28,7 +28,7 @@ namespace StickSlip
 
 
     /** Version of the format, to be changed with anything that is written. */
-    constexpr unsigned int format_version = 2;
+    constexpr unsigned int format_version = 3;
 
 
 

@@ -54,6 +54,15 @@ namespace StickSlip
      * where nobody needs it. */
     std::vector<double> contact_pressure;
 
+    /** Gap between the sides at each slave node, m, and its rate, m/s: both
+     * exactly zero where the sides touch, the gap never negative. Empty where
+     * no fault may open. */
+    std::vector<double> gap, opening_rate;
+
+    /** One where the sides of a slave node are bonded, zero where they are not
+     * or not any more; ordered and empty like gap. */
+    std::vector<char> is_bonded;
+
     /** Call @p action with each nodal vector of a state, in a fixed order. */
     template <typename State, typename Action>
     static void
@@ -71,7 +80,8 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &last_step &alpha &slip &slip_rate &mean_slip_rate
-        &balancing_traction &normal_stress &contact_pressure;
+        &balancing_traction &normal_stress &contact_pressure &gap
+          &opening_rate &is_bonded;
     }
   };
 
