@@ -80,8 +80,8 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &last_step &alpha &slip &slip_rate &mean_slip_rate
-        &balancing_traction &normal_stress &contact_pressure &gap
-          &opening_rate &is_bonded;
+        &balancing_traction &normal_stress &contact_pressure &gap &opening_rate
+          &is_bonded;
     }
   };
 
