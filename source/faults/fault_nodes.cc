@@ -23,6 +23,7 @@ namespace StickSlip
             nodes.push_back(contact.slave_nodes[k]);
             active.push_back(contact.coupling.active[k]);
             node_weights.push_back(contact.coupling.weight[k]);
+            opening_signs.push_back(contact.opening_sign(k));
           }
         first.push_back(nodes.size());
       }
@@ -64,6 +65,21 @@ namespace StickSlip
       if (active[k])
         for (unsigned int d = 0; d < dim - 1; ++d)
           jumps[k][d] = values[k][d];
+    return jumps;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  FaultNodes<dim>::opening_jumps(const NodalVector &w) const
+  {
+    const std::vector<Tensor<1, dim>> values =
+      gather_nodes<dim>(w, partition, nodes);
+    std::vector<double> jumps(nodes.size(), 0.);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (active[k])
+        jumps[k] = opening_signs[k] * values[k][dim - 1];
     return jumps;
   }
 

@@ -5,6 +5,8 @@
 #include <stickslip/parameters/entries.h>
 #include <stickslip/parameters/name_list.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   void
@@ -53,7 +55,7 @@ namespace StickSlip
                       "Names of parts of the fault with friction of their own; "
                       "none if empty. Each has a subsection of its name with "
                       "'Where' and the entries of the fault from 'Friction' to "
-                      "'Slip rate ramp length'; those not set there are as in "
+                      "'State while open'; those not set there are as in "
                       "the fault.");
     for (FrictionRegion &region : regions)
       {
@@ -68,6 +70,19 @@ namespace StickSlip
         prm.leave_subsection();
       }
     prm.leave_subsection();
+  }
+
+
+
+  bool
+  FaultParameters::may_open() const
+  {
+    return opening.may_open() ||
+           std::any_of(regions.begin(),
+                       regions.end(),
+                       [](const FrictionRegion &region) {
+                         return region.friction.opening.may_open();
+                       });
   }
 
 

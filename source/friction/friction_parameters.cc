@@ -42,6 +42,7 @@ namespace StickSlip
     for (const LawParameter &parameter : law_registry().parameters())
       if (parameter.least_dimension <= dim)
         parameter.declare(prm, parameters.at(parameter.entry));
+    opening.add_parameters(prm);
   }
 
 
@@ -116,6 +117,10 @@ namespace StickSlip
     law_values(points, section);
     if (has_state())
       initial_states(points, section);
+    if (opening.may_open())
+      for (const SpatialField *field :
+           {&opening.tensile_strength, &opening.cohesion, &opening.initial_gap})
+        field->values(points, section);
   }
 
 

@@ -62,6 +62,16 @@ namespace StickSlip
 
 
   template <int dim>
+  GapPath
+  BackwardDifferences<dim>::gap_path(const double tau, const double last) const
+  {
+    const Weights w = weights(tau, last);
+    return {tau * w.of_past, tau * w.of_end, 1.};
+  }
+
+
+
+  template <int dim>
   double
   BackwardDifferences<dim>::error_constant(const double tau,
                                            const double last) const

@@ -9,8 +9,11 @@
 #include <stickslip/faults/contact_pressure.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/backward_differences.h>
+#include <stickslip/time/contact_implicit.h>
+#include <stickslip/time/impact.h>
 #include <stickslip/time/newmark.h>
 #include <stickslip/time/rate_state_step.h>
+#include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 #include <cmath>
@@ -31,11 +34,16 @@ namespace StickSlip
 
     template <int dim>
     std::unique_ptr<TimeScheme<dim>>
-    make_time_scheme(const Inertia inertia)
+    make_time_scheme(const Inertia                 inertia,
+                     const FaultNodes<dim>        &faults,
+                     const NodeLaws               &laws,
+                     const UnilateralContact<dim> &contact)
     {
-      if (inertia == Inertia::dynamic)
-        return std::make_unique<Newmark<dim>>();
-      return std::make_unique<BackwardDifferences<dim>>();
+      if (inertia != Inertia::dynamic)
+        return std::make_unique<BackwardDifferences<dim>>();
+      if (contact.is_needed())
+        return std::make_unique<ContactImplicit<dim>>(faults, laws);
+      return std::make_unique<Newmark<dim>>();
     }
 
 
@@ -71,14 +79,17 @@ namespace StickSlip
                                     const NodeLaws        &laws,
                                     const TimeParameters  &time_parameters,
                                     const TNNMGParameters &tnnmg_parameters,
-                                    const FollowingStress<dim> &following)
+                                    const FollowingStress<dim>   &following,
+                                    const UnilateralContact<dim> &contact)
     : problem(problem)
     , fault_nodes(faults)
     , node_laws(laws)
     , time_parameters(time_parameters)
     , tnnmg_parameters(tnnmg_parameters)
     , following(following)
-    , time_scheme(make_time_scheme<dim>(time_parameters.inertia))
+    , unilateral(contact)
+    , time_scheme(
+        make_time_scheme(time_parameters.inertia, faults, laws, contact))
     , friction(
         make_fault_friction(faults, laws, std::vector<double>(faults.size())))
     , solver(make_rate_solver(problem,
@@ -100,10 +111,10 @@ namespace StickSlip
     StepCounts       &counts = result.counts;
     try
       {
-        const NodalVector rhs =
-          time_scheme->right_hand_side(problem, from, tau);
-        to            = predict(from, tau, prediction);
-        NodalVector w = unknowns(to);
+        NodalVector   rhs = time_scheme->right_hand_side(problem, from, tau);
+        ContactOfStep contact = start_contact(from, tau, rhs);
+        to                    = predict(from, tau, prediction);
+        NodalVector w         = unknowns(to);
         problem.combine(
           time_scheme->operator_coefficients(tau, from.last_step));
         solver->start(rhs, w);
@@ -116,13 +127,20 @@ namespace StickSlip
             ++counts.rate_state_iterations;
             counts.tnnmg_iterations += rate.iterations.size();
             counts.multigrid_cycles += rate.n_cycles();
-            const double of_state  = update_state(to, from, w, tau);
-            const double of_stress = follow_pressure(to, rhs, w);
-            settled                = have_settled(rate,
+            if (unilateral.is_needed())
+              contact.touching =
+                unilateral.touching(fault_nodes.opening_jumps(w),
+                                    contact.bounds);
+            const double of_state = update_state(to, from, w, tau, contact);
+            const double of_stress =
+              follow_pressure(to, from, tau, rhs, w, contact);
+            settled = have_settled(rate,
                                    std::hypot(of_state, of_stress),
                                    counts.rate_state_iterations);
           }
-        complete(to, from, tau, rhs, w);
+        complete(to, from, tau, rhs, w, contact);
+        if (unilateral.is_needed())
+          result.contact_energy = complete_contact(to, from, tau, w, contact);
         result.converged = true;
       }
     catch (const SingularMatrix &error)
@@ -133,7 +151,29 @@ namespace StickSlip
       {
         result.failure = error.what();
       }
+    catch (const SolverControl::NoConvergence &)
+      {
+        result.failure = "the velocities after an impact were not found";
+      }
     return result;
+  }
+
+
+
+  template <int dim>
+  typename RateStateStep<dim>::ContactOfStep
+  RateStateStep<dim>::start_contact(const SystemState<dim> &from,
+                                    const double            tau,
+                                    NodalVector            &rhs)
+  {
+    ContactOfStep contact;
+    if (!unilateral.is_needed())
+      return contact;
+    contact.path   = time_scheme->gap_path(tau, from.last_step);
+    contact.bounds = unilateral.bounds(from, contact.path);
+    unilateral.add_prestress(rhs, from, contact.path);
+    friction->set_opening_bounds(fault_nodes.at_owned_contact(contact.bounds));
+    return contact;
   }
 
 
@@ -169,6 +209,8 @@ namespace StickSlip
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, to.velocity);
     problem.set_known_jumps(to.time, w);
+    if (unilateral.is_needed())
+      project(*friction, friction->nodes(), w);
     return w;
   }
 
@@ -209,20 +251,39 @@ namespace StickSlip
   RateStateStep<dim>::update_state(SystemState<dim>       &to,
                                    const SystemState<dim> &from,
                                    const NodalVector      &w,
-                                   const double            tau) const
+                                   const double            tau,
+                                   const ContactOfStep    &contact) const
   {
-    const std::vector<Tensor<1, dim - 1>> slip_rate =
-      fault_nodes.tangential_jumps(w);
+    std::vector<Tensor<1, dim - 1>> slip_rate = fault_nodes.tangential_jumps(w),
+                                    slip_rate_before = from.slip_rate;
+    std::vector<bool> is_frozen;
+    // Open sides do not rub, however fast they pass each other.
+    if (unilateral.is_needed())
+      {
+        is_frozen.assign(slip_rate.size(), false);
+        for (unsigned int k = 0; k < slip_rate.size(); ++k)
+          if (unilateral.may_open(k))
+            {
+              if (!contact.touching[k])
+                {
+                  slip_rate[k] = Tensor<1, dim - 1>();
+                  is_frozen[k] = unilateral.is_frozen_open(k);
+                }
+              if (from.gap[k] > 0.)
+                slip_rate_before[k] = Tensor<1, dim - 1>();
+            }
+      }
     std::vector<double> change(to.alpha.size());
     for (unsigned int k = 0; k < to.alpha.size(); ++k)
       {
         const FaultLaw &law   = node_laws[k];
         double          alpha = from.alpha[k];
-        if (law.state_law)
+        if (law.state_law && (is_frozen.empty() || !is_frozen[k]))
           {
             const double V =
               time_parameters.state_update == StateUpdate::exponential ?
-                0.5 * (magnitude(from.slip_rate[k]) + magnitude(slip_rate[k])) :
+                0.5 *
+                  (magnitude(slip_rate_before[k]) + magnitude(slip_rate[k])) :
                 magnitude(slip_rate[k]);
             alpha = law.state_law->updated(time_parameters.state_update,
                                            from.alpha[k],
@@ -240,17 +301,29 @@ namespace StickSlip
 
   template <int dim>
   double
-  RateStateStep<dim>::follow_pressure(SystemState<dim>  &to,
-                                      const NodalVector &rhs,
-                                      NodalVector       &w)
+  RateStateStep<dim>::follow_pressure(SystemState<dim>       &to,
+                                      const SystemState<dim> &from,
+                                      const double            tau,
+                                      const NodalVector      &rhs,
+                                      NodalVector            &w,
+                                      const ContactOfStep    &contact)
   {
     if (!following.is_needed())
       return 0.;
     // The reaction is that of complete velocities.
     finish_rate(rhs, w);
-    to.contact_pressure              = contact_pressure(rhs, w);
+    to.contact_pressure        = contact_pressure(from, rhs, w, contact);
+    std::vector<double> at_end = to.contact_pressure;
+    if (unilateral.is_needed())
+      for (unsigned int k = 0; k < at_end.size(); ++k)
+        if (!unilateral.may_open(k) ||
+            (contact.touching[k] && from.gap[k] == 0.))
+          at_end[k] = time_scheme->end_pressure(at_end[k],
+                                                from.contact_pressure[k],
+                                                tau,
+                                                from.last_step);
     const std::vector<double> before = to.normal_stress;
-    to.normal_stress = following.normal_stress(before, to.contact_pressure);
+    to.normal_stress                 = following.normal_stress(before, at_end);
     return fault_nodes.l2_norm(
       relative_stress_change(fault_nodes, node_laws, before, to.normal_stress));
   }
@@ -285,13 +358,14 @@ namespace StickSlip
                                const SystemState<dim> &from,
                                const double            tau,
                                const NodalVector      &rhs,
-                               NodalVector            &w)
+                               NodalVector            &w,
+                               const ContactOfStep    &contact)
   {
     if (!following.is_needed())
       {
         finish_rate(rhs, w);
         if (!from.contact_pressure.empty())
-          to.contact_pressure = contact_pressure(rhs, w);
+          to.contact_pressure = contact_pressure(from, rhs, w, contact);
       }
     problem.to_nodal(to.velocity, w);
     to.slip_rate          = fault_nodes.tangential_jumps(w);
@@ -300,6 +374,33 @@ namespace StickSlip
     time_scheme->complete(to, from, tau);
     if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
       throw StepFailure("the solution is not a number");
+  }
+
+
+
+  template <int dim>
+  ContactEnergy
+  RateStateStep<dim>::complete_contact(SystemState<dim>       &to,
+                                       const SystemState<dim> &from,
+                                       const double            tau,
+                                       NodalVector            &w,
+                                       const ContactOfStep    &contact) const
+  {
+    unilateral.complete(to,
+                        from,
+                        tau,
+                        fault_nodes.opening_jumps(w),
+                        contact.touching,
+                        contact.path);
+    ContactEnergy energy = unilateral.energy(to, from, contact.path);
+    if (time_parameters.inertia != Inertia::dynamic)
+      return energy;
+
+    energy.lost += stop_impacts(problem, fault_nodes, contact.touching, w);
+    problem.to_nodal(to.velocity, w);
+    to.slip_rate    = fault_nodes.tangential_jumps(w);
+    to.opening_rate = fault_nodes.opening_jumps(w);
+    return energy;
   }
 
 
@@ -317,15 +418,24 @@ namespace StickSlip
 
   template <int dim>
   std::vector<double>
-  RateStateStep<dim>::contact_pressure(const NodalVector &rhs,
-                                       const NodalVector &w) const
+  RateStateStep<dim>::contact_pressure(const SystemState<dim> &from,
+                                       const NodalVector      &rhs,
+                                       const NodalVector      &w,
+                                       const ContactOfStep    &contact) const
   {
     NodalVector reaction = problem.make_vector();
     problem.operators().matrix().residual(reaction, rhs, w);
     reaction *= -1.;
-    return contact_pressures(problem.jump_basis(),
-                             problem.hierarchy().finest().nodes,
-                             reaction);
+    const std::vector<double> pressures =
+      contact_pressures(problem.jump_basis(),
+                        problem.hierarchy().finest().nodes,
+                        reaction);
+    return unilateral.is_needed() ?
+             unilateral.contact_pressure(from,
+                                         pressures,
+                                         contact.touching,
+                                         contact.path) :
+             pressures;
   }
 
 

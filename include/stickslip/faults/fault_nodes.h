@@ -61,6 +61,14 @@ namespace StickSlip
       return active[k];
     }
 
+    /** The sign with which the normal jump of a slave node in a vector of the
+     * jump basis opens the fault. */
+    double
+    opening_sign(const unsigned int k) const
+    {
+      return opening_signs[k];
+    }
+
     /** Integral of the dual basis function, m^(d-1); zero off contact. */
     const std::vector<double> &
     weights() const
@@ -85,6 +93,11 @@ namespace StickSlip
     std::vector<Tensor<1, dim - 1>>
     tangential_jumps(const NodalVector &w) const;
 
+    /** The normal jump at each slave node from a vector of the jump basis,
+     * positive where the sides part; zero off contact. Collective. */
+    std::vector<double>
+    opening_jumps(const NodalVector &w) const;
+
     /** The norm in L2(faults), sqrt(sum weight value^2), of an array over the
      * slave nodes; nodes off contact do not count. */
     double
@@ -103,6 +116,7 @@ namespace StickSlip
     std::vector<types::global_dof_index> nodes;
     std::vector<bool>                    active;
     std::vector<double>                  node_weights;
+    std::vector<double>                  opening_signs;
     std::vector<unsigned int>            contact_positions;
   };
 } // namespace StickSlip

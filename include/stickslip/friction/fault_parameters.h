@@ -97,6 +97,10 @@ namespace StickSlip
       return "Faults/" + name;
     }
 
+    /** True if the sides of some part may part. */
+    bool
+    may_open() const;
+
     /** The parts that some points fall into: that of the fault itself first,
      * then the regions, each of which may be empty. Throws InputError, see
      * SpatialField::function(). */

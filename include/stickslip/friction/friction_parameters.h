@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <stickslip/friction/law_registry.h>
+#include <stickslip/friction/opening_parameters.h>
 
 #include <map>
 #include <string>
@@ -25,6 +26,9 @@ namespace StickSlip
     /** Rate and state, the first kind of the registry, with the default values
      * of all parameters. */
     FrictionParameters();
+
+    /** What the sides may do along the normal. */
+    OpeningParameters opening;
 
     /** Kind of friction, the entry 'Friction'. */
     const LawKind &

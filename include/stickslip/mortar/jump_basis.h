@@ -34,6 +34,15 @@ namespace StickSlip
 
     /** True if the two sides are not in one plane. */
     bool is_bent = false;
+
+    /** The sign with which the last component of the jump at the k-th slave
+     * node opens the fault. */
+    double
+    opening_sign(const unsigned int k) const
+    {
+      return sides.sign() *
+             (axes.are_those_of_space() ? axes.normal(k)[dim - 1] : 1.);
+    }
   };
 
   /**

@@ -63,6 +63,10 @@ namespace StickSlip
      * or not any more; ordered and empty like gap. */
     std::vector<char> is_bonded;
 
+    /** Time since which the sides of a slave node touch without a bond
+     * breaking, s; ordered and empty like gap. */
+    std::vector<double> touching_since;
+
     /** Call @p action with each nodal vector of a state, in a fixed order. */
     template <typename State, typename Action>
     static void
@@ -81,7 +85,7 @@ namespace StickSlip
     {
       archive &time &last_step &alpha &slip &slip_rate &mean_slip_rate
         &balancing_traction &normal_stress &contact_pressure &gap &opening_rate
-          &is_bonded;
+          &is_bonded &touching_since;
     }
   };
 
@@ -113,6 +117,19 @@ namespace StickSlip
   };
 
   /**
+   * Energy in a step that goes the way of contacts that may open, J (per m in
+   * plane strain).
+   */
+  struct ContactEnergy
+  {
+    /** Taken by sides that come together, and by bonds that break. */
+    double lost = 0;
+
+    /** Work of the normal stress that the bodies do not carry. */
+    double of_offset = 0;
+  };
+
+  /**
    * A step of the time stepping that was tried.
    */
   template <int dim>
@@ -127,6 +144,7 @@ namespace StickSlip
     double           step_size = 0;
     SystemState<dim> state;
     StepCounts       counts;
+    ContactEnergy    contact_energy;
   };
 } // namespace StickSlip
 

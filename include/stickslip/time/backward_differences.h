@@ -32,6 +32,9 @@ namespace StickSlip
              const SystemState<dim> &from,
              const double            tau) const override;
 
+    GapPath
+    gap_path(const double tau, const double last) const override;
+
     double
     error_constant(const double tau, const double last) const override;
 

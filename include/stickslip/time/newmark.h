@@ -25,6 +25,12 @@ namespace StickSlip
              const SystemState<dim> &from,
              const double            tau) const override;
 
+    GapPath
+    gap_path(const double tau, const double) const override
+    {
+      return {tau / 2., tau / 2., 1.};
+    }
+
     /** Constant of the trapezoidal rule, tau^3/12. */
     double
     error_constant(const double tau, const double) const override

@@ -6,6 +6,7 @@
 
 #include <stickslip/faults/fault_functional.h>
 #include <stickslip/faults/following_stress.h>
+#include <stickslip/problem/unilateral_contact.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/time/time_scheme.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
@@ -42,13 +43,14 @@ namespace StickSlip
   {
   public:
     /** Steps with one contact mapping; the next one needs a new object. All but
-     * @p following must live longer. */
-    RateStateStep(SpatialProblem<dim>        &problem,
-                  const FaultNodes<dim>      &faults,
-                  const NodeLaws             &laws,
-                  const TimeParameters       &time_parameters,
-                  const TNNMGParameters      &tnnmg_parameters,
-                  const FollowingStress<dim> &following = {});
+     * @p following and @p contact must live longer. */
+    RateStateStep(SpatialProblem<dim>          &problem,
+                  const FaultNodes<dim>        &faults,
+                  const NodeLaws               &laws,
+                  const TimeParameters         &time_parameters,
+                  const TNNMGParameters        &tnnmg_parameters,
+                  const FollowingStress<dim>   &following = {},
+                  const UnilateralContact<dim> &contact   = {});
 
     /** A step of size @p tau from @p from, begun at @p prediction, if any. */
     StepResult<dim>
@@ -82,6 +84,23 @@ namespace StickSlip
     }
 
   private:
+    /** What the iteration of one step needs to know of the contact; empty
+     * where nothing may open. */
+    struct ContactOfStep
+    {
+      GapPath             path;
+      std::vector<double> bounds;
+      /** Of the last iterate. */
+      std::vector<bool> touching;
+    };
+
+    /** Add what the contact does to the @p rhs of the step, and set the bounds
+     * of friction. */
+    ContactOfStep
+    start_contact(const SystemState<dim> &from,
+                  const double            tau,
+                  NodalVector            &rhs);
+
     /** Time, state, normal stress, contact pressure and velocity with which the
      * iteration starts, the last one with what is prescribed at its sides. */
     SystemState<dim>
@@ -108,14 +127,18 @@ namespace StickSlip
     update_state(SystemState<dim>       &to,
                  const SystemState<dim> &from,
                  const NodalVector      &w,
-                 const double            tau) const;
+                 const double            tau,
+                 const ContactOfStep    &contact) const;
 
     /** Let contact pressure and normal stress of @p to follow, if they do;
      * returns the relative change of the latter in L2(faults). */
     double
-    follow_pressure(SystemState<dim>  &to,
-                    const NodalVector &rhs,
-                    NodalVector       &w);
+    follow_pressure(SystemState<dim>       &to,
+                    const SystemState<dim> &from,
+                    const double            tau,
+                    const NodalVector      &rhs,
+                    NodalVector            &w,
+                    const ContactOfStep    &contact);
 
     /** True if rate and state have settled. Throws StepFailure if they never
      * will. */
@@ -131,7 +154,17 @@ namespace StickSlip
              const SystemState<dim> &from,
              const double            tau,
              const NodalVector      &rhs,
-             NodalVector            &w);
+             NodalVector            &w,
+             const ContactOfStep    &contact);
+
+    /** Gaps, bonds and, after impacts, velocities of @p to; @p w: velocities of
+     * the rate problem. */
+    ContactEnergy
+    complete_contact(SystemState<dim>       &to,
+                     const SystemState<dim> &from,
+                     const double            tau,
+                     NodalVector            &w,
+                     const ContactOfStep    &contact) const;
 
     /** Complete the velocities that single iterations leave alone. */
     void
@@ -139,7 +172,10 @@ namespace StickSlip
 
     /** The contact pressure of a solution of the rate problem, Pa. */
     std::vector<double>
-    contact_pressure(const NodalVector &rhs, const NodalVector &w) const;
+    contact_pressure(const SystemState<dim> &from,
+                     const NodalVector      &rhs,
+                     const NodalVector      &w,
+                     const ContactOfStep    &contact) const;
 
     bool
     is_nested() const
@@ -153,6 +189,7 @@ namespace StickSlip
     const TimeParameters                  &time_parameters;
     const TNNMGParameters                 &tnnmg_parameters;
     const FollowingStress<dim>             following;
+    const UnilateralContact<dim>           unilateral;
     const std::unique_ptr<TimeScheme<dim>> time_scheme;
     /** Instruments of the iteration: of no meaning between steps. */
     std::unique_ptr<FaultFriction<dim>>   friction;

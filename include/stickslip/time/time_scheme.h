@@ -6,6 +6,7 @@
 
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
+#include <stickslip/problem/unilateral_contact.h>
 
 #include <memory>
 #include <utility>
@@ -40,10 +41,27 @@ namespace StickSlip
 
     /** The right hand side f1 + M a* - K u*, a dual vector of the jump basis.
      * Collective. */
-    NodalVector
+    virtual NodalVector
     right_hand_side(SpatialProblem<dim>    &problem,
                     const SystemState<dim> &from,
                     const double            tau) const;
+
+    /** The gap at the end of a step, for faults that may open; @p last as
+     * above. */
+    virtual GapPath
+    gap_path(const double tau, const double last) const = 0;
+
+    /** The pressure at the end of a step, Pa, from that of the rate problem
+     * and the one of the step before, where both sides touch after either;
+     * unless a scheme says something else the first of them. */
+    virtual double
+    end_pressure(const double pressure,
+                 const double,
+                 const double,
+                 const double) const
+    {
+      return pressure;
+    }
 
     /** Displacement, slip, and acceleration or mean rates of @p to, from its
      * velocity and slip rate. */
