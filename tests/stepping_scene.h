@@ -92,12 +92,9 @@ namespace StickSlip::Tests
     {
       const InitialEquilibrium<2> equilibrium =
         solve_initial_equilibrium(problem);
-      unsigned int n_in_tension = 0;
-      laws                      = make_node_laws(scene, problem.jump_basis());
-      state                     = make_initial_state(scene,
-                                 problem.jump_basis(),
-                                 equilibrium,
-                                 n_in_tension);
+      laws = make_node_laws(scene, problem.jump_basis());
+      state =
+        make_initial_state(scene, problem.jump_basis(), equilibrium).system;
       prepare();
     }
 

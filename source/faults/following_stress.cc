@@ -9,17 +9,20 @@ namespace StickSlip
 {
   template <int dim>
   FollowingStress<dim>::FollowingStress(
-    const std::vector<bool>   &faults_that_follow,
-    const FaultNodes<dim>     &faults,
-    const std::vector<double> &offset)
+    const std::vector<bool>        &faults_that_follow,
+    const FaultNodes<dim>          &faults,
+    const std::vector<double>      &offset,
+    const std::vector<NodeOpening> &openings)
     : offset(offset)
   {
-    if (std::find(faults_that_follow.begin(), faults_that_follow.end(), true) ==
-        faults_that_follow.end())
+    if (openings.empty() &&
+        std::find(faults_that_follow.begin(), faults_that_follow.end(), true) ==
+          faults_that_follow.end())
       return;
     AssertDimension(offset.size(), faults.size());
     for (unsigned int k = 0; k < faults.size(); ++k)
-      follows.push_back(faults_that_follow[faults.fault(k)]);
+      follows.push_back(faults_that_follow[faults.fault(k)] ||
+                        (!openings.empty() && openings[k].may_open));
   }
 
 

@@ -14,6 +14,8 @@ namespace StickSlip
     void
     change_rates(NodalVector                     &velocity,
                  std::vector<Tensor<1, dim - 1>> &slip_rate,
+                 std::vector<double>             &opening_rate,
+                 const std::vector<double>       &gap,
                  const ContactSpace<dim>         &space,
                  const FaultNodes<dim>           &before,
                  const FaultNodes<dim>           &now)
@@ -22,13 +24,65 @@ namespace StickSlip
       space.to_jumps(w, velocity);
       for (const unsigned int k : now.owned_contact())
         {
-          w.local_element(now.node(k) * dim + dim - 1) = 0.;
+          if (gap.empty() || gap[k] == 0.)
+            w.local_element(now.node(k) * dim + dim - 1) = 0.;
           if (before.in_contact(k))
             for (unsigned int d = 0; d < dim - 1; ++d)
               w.local_element(now.node(k) * dim + d) = slip_rate[k][d];
         }
       space.to_nodal(velocity, w);
       slip_rate = now.tangential_jumps(w);
+      if (!gap.empty())
+        opening_rate = now.opening_jumps(w);
+    }
+
+
+
+    /** The slave node in contact of the same fault that is nearest to the k-th
+     * one, and k itself if there is none. */
+    template <int dim>
+    unsigned int
+    nearest_node(const JumpBasis<dim>  &basis,
+                 const FaultNodes<dim> &faults,
+                 const unsigned int     k)
+    {
+      const unsigned int             f     = faults.fault(k);
+      const unsigned int             first = faults.first_of_fault()[f];
+      const std::vector<Point<dim>> &points =
+        basis.faults()[f].slave_surface.points;
+      unsigned int nearest  = k;
+      double       distance = std::numeric_limits<double>::max();
+      for (unsigned int m = 0; m < points.size(); ++m)
+        if (faults.in_contact(first + m) &&
+            points[m].distance(points[k - first]) < distance)
+          {
+            nearest  = first + m;
+            distance = points[m].distance(points[k - first]);
+          }
+      return nearest;
+    }
+
+
+
+    /** Gaps with a new contact mapping; @p distances_before, @p distances_now:
+     * side_distances(), empty where no fault bends. */
+    template <int dim>
+    void
+    change_gaps(SystemState<dim>          &state,
+                const JumpBasis<dim>      &basis,
+                const FaultNodes<dim>     &before,
+                const FaultNodes<dim>     &now,
+                const std::vector<double> &distances_before,
+                const std::vector<double> &distances_now)
+    {
+      const std::vector<double> gap = state.gap;
+      for (unsigned int k = 0; k < gap.size(); ++k)
+        if (now.in_contact(k) && !before.in_contact(k))
+          state.gap[k] = gap[nearest_node(basis, before, k)];
+        else if (gap[k] > 0. && now.in_contact(k) && !distances_now.empty())
+          state.gap[k] =
+            std::max(gap[k] + distances_now[k] - distances_before[k],
+                     std::numeric_limits<double>::min());
     }
 
 
@@ -118,16 +172,91 @@ namespace StickSlip
 
 
   template <int dim>
-  void
-  change_contact(SystemState<dim>        &state,
-                 const ContactSpace<dim> &space,
-                 const FaultNodes<dim>   &before,
-                 const FaultNodes<dim>   &now)
+  std::vector<double>
+  side_distances(const ContactSpace<dim> &space, const SystemState<dim> &state)
   {
-    change_rates(state.velocity, state.slip_rate, space, before, now);
+    const JumpBasis<dim> &basis = space.jump_basis();
+    if (!is_any_open(state) || !is_any_bent(basis))
+      return {};
+    const MeshLevel<dim> &level = space.meshes().finest();
+    std::vector<double>   distances;
+    for (unsigned int f = 0; f < basis.faults().size(); ++f)
+      {
+        const FaultContact<dim>   &contact   = basis.faults()[f];
+        const MortarCoupling<dim> &coupling  = contact.coupling;
+        const auto                 positions = [&](const unsigned int side) {
+          const FaultSurface<dim>    &surface = level.surface(f, side);
+          std::vector<Tensor<1, dim>> result =
+            gather_nodes<dim>(state.displacement, level.nodes, surface.nodes);
+          for (unsigned int k = 0; k < result.size(); ++k)
+            result[k] += surface.points[k];
+          return result;
+        };
+        const std::vector<Tensor<1, dim>> slave =
+                                            positions(contact.sides.slave),
+                                          master =
+                                            positions(contact.sides.master);
+        for (unsigned int k = 0; k < slave.size(); ++k)
+          {
+            distances.push_back(0.);
+            if (!coupling.active[k])
+              continue;
+            Tensor<1, dim> jump = slave[k];
+            for (const auto &[q, factor] : coupling.master_rows[k])
+              jump -= factor * master[q];
+            for (const auto &[q, factor] : coupling.inactive_slave_rows[k])
+              jump -= factor * slave[q];
+            distances.back() = contact.sides.sign() *
+                               coupling.averaging_factor[k] *
+                               (contact.axes.normal(k) * jump);
+          }
+      }
+    return distances;
+  }
+
+
+
+  template <int dim>
+  bool
+  is_any_open(const SystemState<dim> &state)
+  {
+    return std::any_of(state.gap.begin(),
+                       state.gap.end(),
+                       [](const double gap) { return gap > 0.; });
+  }
+
+
+
+  template <int dim>
+  void
+  change_contact(SystemState<dim>          &state,
+                 const ContactSpace<dim>   &space,
+                 const FaultNodes<dim>     &before,
+                 const FaultNodes<dim>     &now,
+                 const std::vector<double> &distances_before)
+  {
+    change_gaps(state,
+                space.jump_basis(),
+                before,
+                now,
+                distances_before,
+                side_distances(space, state));
+    change_rates(state.velocity,
+                 state.slip_rate,
+                 state.opening_rate,
+                 state.gap,
+                 space,
+                 before,
+                 now);
+    // Rates of gaps are means over the step where there is one of velocities.
     if (state.mean_velocity.size() > 0)
-      change_rates(
-        state.mean_velocity, state.mean_slip_rate, space, before, now);
+      change_rates(state.mean_velocity,
+                   state.mean_slip_rate,
+                   state.opening_rate,
+                   state.gap,
+                   space,
+                   before,
+                   now);
     // Tractions of nodes off contact mean nothing any more.
     for (unsigned int k = 0; k < state.balancing_traction.size(); ++k)
       if (!now.in_contact(k))
@@ -144,6 +273,10 @@ namespace StickSlip
   template decltype(expected_slip<3>)            expected_slip<3>;
   template decltype(background_normal_stress<2>) background_normal_stress<2>;
   template decltype(background_normal_stress<3>) background_normal_stress<3>;
+  template decltype(side_distances<2>)           side_distances<2>;
+  template decltype(side_distances<3>)           side_distances<3>;
+  template decltype(is_any_open<2>)              is_any_open<2>;
+  template decltype(is_any_open<3>)              is_any_open<3>;
   template decltype(change_contact<2>)           change_contact<2>;
   template decltype(change_contact<3>)           change_contact<3>;
 } // namespace StickSlip

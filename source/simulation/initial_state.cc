@@ -32,17 +32,21 @@ namespace StickSlip
 
 
 
-    /** The normal stress at all slave nodes, Pa. */
+    /** Set the normal stress at all slave nodes of @p start, what of it the
+     * bodies do not carry, and the number of nodes in tension. */
     template <int dim>
-    std::vector<double>
-    make_normal_stress(const SceneParameters<dim>    &scene,
-                       const JumpBasis<dim>          &basis,
-                       const InitialEquilibrium<dim> &equilibrium,
-                       unsigned int                  &n_in_tension)
+    void
+    set_normal_stress(InitialState<dim>              &start,
+                      const SceneParameters<dim>     &scene,
+                      const JumpBasis<dim>           &basis,
+                      const InitialEquilibrium<dim>  &equilibrium,
+                      const std::vector<NodeOpening> &openings)
     {
       const BackgroundStress<dim> background_stress(scene.faults);
-      std::vector<double>         stress = equilibrium.contact_pressure;
-      unsigned int                k      = 0;
+      std::vector<double>        &stress = start.system.normal_stress;
+      stress                             = equilibrium.contact_pressure;
+      start.stress_offset.resize(stress.size());
+      unsigned int k = 0;
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
           const FaultParameters         &fault = scene.faults[f];
@@ -61,7 +65,10 @@ namespace StickSlip
           for (const FaultPart &part : fault.parts(points))
             for (const unsigned int i : part.positions)
               {
-                double &sigma = stress[first + i];
+                double    &sigma  = stress[first + i];
+                double    &offset = start.stress_offset[first + i];
+                const bool may_open =
+                  !openings.empty() && openings[first + i].may_open;
                 if (!given.empty())
                   sigma = given[i];
                 const bool is_needed =
@@ -69,15 +76,22 @@ namespace StickSlip
                 has_friction = has_friction || is_needed;
                 if (!background.empty())
                   sigma += background[i];
-                if (sigma < 0. && is_needed && !background.empty() &&
-                    background[i] < 0.)
-                  throw InputError(tension_message(fault, points[i], sigma));
-                if (sigma < 0. && is_needed)
-                  ++n_in_tension;
+                // A fault that may open does so under tension.
+                if (sigma < 0. && is_needed && !may_open)
+                  {
+                    if (!background.empty() && background[i] < 0.)
+                      throw InputError(
+                        tension_message(fault, points[i], sigma));
+                    ++start.n_in_tension;
+                  }
+                if (may_open)
+                  offset = sigma - equilibrium.contact_pressure[first + i];
                 sigma = std::max(sigma, 0.);
+                if (!may_open)
+                  offset = sigma - equilibrium.contact_pressure[first + i];
                 ++k;
               }
-          if (has_friction &&
+          if (has_friction && !fault.may_open() &&
               fault.normal_stress_source != NormalStressSource::function &&
               std::none_of(stress.begin() + first,
                            stress.begin() + k,
@@ -88,22 +102,43 @@ namespace StickSlip
               "'function', or there must be gravity, a boundary traction or a "
               "background stress that does.");
         }
-      return stress;
+    }
+
+
+
+    /** Set gaps and bonds of @p state. */
+    template <int dim>
+    void
+    set_gaps(SystemState<dim> &state, const std::vector<NodeOpening> &openings)
+    {
+      for (unsigned int k = 0; k < openings.size(); ++k)
+        {
+          const NodeOpening &node = openings[k];
+          state.gap.push_back(node.may_open ? node.initial_gap : 0.);
+          if (state.gap.back() > 0.)
+            state.normal_stress[k] = 0.;
+          state.is_bonded.push_back(
+            node.may_open && node.initial_gap == 0. &&
+            (node.tensile_strength > 0. || node.cohesion > 0.));
+        }
+      state.opening_rate.assign(openings.size(), 0.);
+      state.touching_since.assign(openings.size(), 0.);
     }
   } // namespace
 
 
 
   template <int dim>
-  SystemState<dim>
-  make_initial_state(const SceneParameters<dim>    &scene,
-                     const JumpBasis<dim>          &basis,
-                     const InitialEquilibrium<dim> &equilibrium,
-                     unsigned int                  &n_in_tension)
+  InitialState<dim>
+  make_initial_state(const SceneParameters<dim>     &scene,
+                     const JumpBasis<dim>           &basis,
+                     const InitialEquilibrium<dim>  &equilibrium,
+                     const std::vector<NodeOpening> &openings)
   {
-    SystemState<dim> state;
-    state.normal_stress =
-      make_normal_stress(scene, basis, equilibrium, n_in_tension);
+    InitialState<dim> start;
+    set_normal_stress(start, scene, basis, equilibrium, openings);
+    SystemState<dim> &state = start.system;
+    set_gaps(state, openings);
     state.displacement = equilibrium.displacement;
     state.velocity     = equilibrium.displacement;
     state.velocity     = 0.;
@@ -128,14 +163,15 @@ namespace StickSlip
               for (unsigned int i = 0; i < theta.size(); ++i)
                 state.alpha[first + part.positions[i]] = std::log(theta[i]);
             }
-        with_pressure = with_pressure || fault.normal_stress_follows;
+        with_pressure =
+          with_pressure || fault.normal_stress_follows || fault.may_open();
       }
     if (with_pressure)
       state.contact_pressure = equilibrium.contact_pressure;
     state.slip.resize(state.alpha.size());
     state.slip_rate.resize(state.alpha.size());
     state.balancing_traction = equilibrium.shear_traction;
-    return state;
+    return start;
   }
 
 

@@ -13,6 +13,7 @@
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
+#include <stickslip/simulation/node_openings.h>
 #include <stickslip/simulation/restraint.h>
 #include <stickslip/simulation/run_state_file.h>
 #include <stickslip/simulation/simulation.h>
@@ -73,8 +74,10 @@ namespace StickSlip
               scene.gravity_vector(),
               scene.time.inertia == Inertia::dynamic,
               make_slip_rates(scene),
-              BackgroundStress<dim>(scene.faults))
+              BackgroundStress<dim>(scene.faults),
+              make_opening_parts(scene))
     , laws(make_node_laws(scene, problem.jump_basis()))
+    , openings(make_node_openings(scene, problem.jump_basis()))
   {
     construction_timer.stop();
   }
@@ -140,22 +143,20 @@ namespace StickSlip
     counts.equilibrium_iterations = equilibrium.iterations;
     counts.smallest_step          = scene.time.end_time;
 
-    SystemState<dim> &start = run_state.system;
-    start                   = make_initial_state(scene,
-                               problem.jump_basis(),
-                               equilibrium,
-                               counts.initially_in_tension);
-    for (unsigned int k = 0; k < start.contact_pressure.size(); ++k)
-      run_state.stress_offset.push_back(start.normal_stress[k] -
-                                        start.contact_pressure[k]);
+    InitialState<dim> start =
+      make_initial_state(scene, problem.jump_basis(), equilibrium, openings);
+    counts.initially_in_tension = start.n_in_tension;
+    run_state.system            = std::move(start.system);
+    if (!state().contact_pressure.empty())
+      run_state.stress_offset = std::move(start.stress_offset);
     run_state.coupled_displacement = problem.make_nodal_vector();
-    run_state.coupled_slip         = start.slip;
+    run_state.coupled_slip         = state().slip;
 
     prepare();
     note_gaps();
-    check_restraint(scene, faults, laws, start);
+    check_restraint(scene, faults, laws, state());
     if (energy)
-      energy->start(start);
+      energy->start(state());
   }
 
 
@@ -192,12 +193,19 @@ namespace StickSlip
       FollowingStress<dim>(members_of(scene.faults,
                                       &FaultParameters::normal_stress_follows),
                            faults,
-                           run_state.stress_offset);
+                           run_state.stress_offset,
+                           openings);
     // Controller and step of the mapping before go first.
     step_size_controller.reset();
     rate_state_step.reset();
     rate_state_step = std::make_unique<RateStateStep<dim>>(
-      problem, faults, laws, scene.time, scene.tnnmg, following_stress);
+      problem,
+      faults,
+      laws,
+      scene.time,
+      scene.tnnmg,
+      following_stress,
+      UnilateralContact<dim>(faults, openings, run_state.stress_offset));
     step_size_controller =
       make_step_size_controller(*rate_state_step, scene.time, boundary_values);
     if (scene.output.energy_balance)
@@ -244,7 +252,7 @@ namespace StickSlip
     if (energy)
       {
         TimerOutput::Scope section(timer, "Energy balance");
-        energy->add(state());
+        energy->add(state(), step.contact_energy);
       }
     TimerOutput::Scope section(timer, "Output");
     if (record)
@@ -278,6 +286,8 @@ namespace StickSlip
     const std::vector<double> background_before =
       background_normal_stress(problem.background_stress(),
                                problem.jump_basis());
+    const std::vector<double> distances_before =
+      side_distances(problem, current);
     problem.build_contact(run_state.coupled_displacement,
                           run_state.expected_slip);
     // Normals that have turned meet another background stress.
@@ -288,7 +298,7 @@ namespace StickSlip
       run_state.stress_offset[k] += background[k] - background_before[k];
     prepare();
     note_gaps();
-    change_contact(current, problem, before, faults);
+    change_contact(current, problem, before, faults, distances_before);
     if (energy)
       energy->restart(current);
   }
@@ -311,7 +321,9 @@ namespace StickSlip
           double &largest = run_state.largest_gaps[f];
           largest         = std::isnan(largest) ? gaps[f]->absolute :
                                                   std::max(largest, gaps[f]->absolute);
-          if (scene.contact.follow_slip && gaps[f]->over_face > allowed_part)
+          // Sides that may part are apart without harm.
+          if (scene.contact.follow_slip && !scene.faults[f].may_open() &&
+              gaps[f]->over_face > allowed_part)
             {
               std::ostringstream message;
               message

@@ -181,13 +181,16 @@ namespace StickSlip
       add("dissipated by viscosity", work.viscosity);
       if (inertia == Inertia::quasi_dynamic)
         add("dissipated by radiation damping", work.radiation);
+      if (work.contact != 0.)
+        add("taken by contacts", work.contact);
       add("missing", defect);
 
       const double largest = std::max({std::abs(work.driven_sides),
                                        std::abs(work.loads),
                                        work.friction,
                                        work.viscosity,
-                                       work.radiation});
+                                       work.radiation,
+                                       work.contact});
       if (largest > 0.)
         section.add("missing, over the largest work", defect / largest);
     }

@@ -43,6 +43,7 @@ namespace StickSlip
     viscosity += factor * other.viscosity;
     friction += factor * other.friction;
     radiation += factor * other.radiation;
+    contact += factor * other.contact;
   }
 
 
@@ -60,12 +61,15 @@ namespace StickSlip
 
   template <int dim>
   void
-  EnergyBalance<dim>::add(const SystemState<dim> &state)
+  EnergyBalance<dim>::add(const SystemState<dim> &state,
+                          const ContactEnergy    &contact)
   {
     const double half_step = 0.5 * (state.time - account.last_time);
     account.work.add(half_step, account.last_powers);
     restart(state);
     account.work.add(half_step, account.last_powers);
+    account.work.contact += contact.lost;
+    account.work.loads += contact.of_offset;
   }
 
 

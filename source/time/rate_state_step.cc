@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/solver_control.h>
 
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/magnitude.h>
@@ -95,7 +96,15 @@ namespace StickSlip
     , solver(make_rate_solver(problem,
                               time_parameters.rate_solver,
                               tnnmg_parameters))
-  {}
+  {
+    if (!contact.is_needed())
+      return;
+    std::vector<int> signs;
+    for (const unsigned int k : faults.owned_contact())
+      signs.push_back(
+        contact.may_open(k) ? (faults.opening_sign(k) > 0. ? 1 : -1) : 0);
+    friction->set_opening(signs);
+  }
 
 
 

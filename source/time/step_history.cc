@@ -26,9 +26,11 @@ namespace StickSlip
     result.in_contact.resize(faults.size());
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
-        result.in_contact[k] = faults.in_contact(k);
-        const FaultLaw &law  = laws[k];
-        const double    V    = magnitude(state.slip_rate[k]);
+        // Sides that are apart feel nothing of each other.
+        result.in_contact[k] =
+          faults.in_contact(k) && (state.gap.empty() || state.gap[k] == 0.);
+        const FaultLaw &law = laws[k];
+        const double    V   = magnitude(state.slip_rate[k]);
         if (law.state_law)
           result.state_rate[k] =
             law.state_law->rate(state.alpha[k], V, law.characteristic_slip);

@@ -6,6 +6,7 @@
 
 #include <stickslip/faults/fault_nodes.h>
 #include <stickslip/faults/node_laws.h>
+#include <stickslip/faults/node_opening.h>
 
 #include <vector>
 
@@ -16,7 +17,8 @@ namespace StickSlip
    *
    *   sigma_n(t) = max(0, p(t) + offset),   offset = sigma_n(0) - p(0),
    *
-   * at each slave node. All others keep what they have.
+   * at each slave node, and at nodes that may open. All others keep what they
+   * have.
    */
   template <int dim>
   class FollowingStress
@@ -26,10 +28,12 @@ namespace StickSlip
     FollowingStress() = default;
 
     /** @p faults_that_follow: one entry a fault; @p offset: at each slave node,
-     * Pa, of no meaning if no fault follows. */
-    FollowingStress(const std::vector<bool>   &faults_that_follow,
-                    const FaultNodes<dim>     &faults,
-                    const std::vector<double> &offset);
+     * Pa, of no meaning if no fault follows; @p openings: of each slave node,
+     * or empty if none may open. */
+    FollowingStress(const std::vector<bool>        &faults_that_follow,
+                    const FaultNodes<dim>          &faults,
+                    const std::vector<double>      &offset,
+                    const std::vector<NodeOpening> &openings = {});
 
     /** True if the stress of any fault follows. */
     bool

@@ -5,30 +5,13 @@
 #define stickslip_problem_unilateral_contact_h
 
 #include <stickslip/faults/fault_nodes.h>
+#include <stickslip/faults/node_opening.h>
 #include <stickslip/problem/system_state.h>
 
 #include <vector>
 
 namespace StickSlip
 {
-  /**
-   * What a slave node may do along the normal.
-   */
-  struct NodeOpening
-  {
-    bool may_open = false;
-
-    /** Strength of a bond against tension and against slip, Pa, and the time of
-     * contact after which a broken one is there again, s; zero: never. */
-    double tensile_strength = 0, cohesion = 0, bond_healing_time = 0;
-
-    /** Gap at the start, m. */
-    double initial_gap = 0;
-
-    /** True if the state stays as it is while the node is open. */
-    bool is_frozen_open = false;
-  };
-
   /**
    * Coefficients of a step with which a time scheme relates the gap g at its
    * end to the opening rate w that it solves for,

@@ -44,19 +44,35 @@ namespace StickSlip
   background_normal_stress(const BackgroundStress<dim> &background,
                            const JumpBasis<dim>        &basis);
 
+  /** True if the sides of any node are apart. */
+  template <int dim>
+  bool
+  is_any_open(const SystemState<dim> &state);
+
+  /** How far the sides are apart along the normal at each slave node with the
+   * present contact mapping, m: the mean over the dual function, which is not
+   * zero where sides bend that touch. Empty where nothing is open or no fault
+   * bends. Collective. */
+  template <int dim>
+  std::vector<double>
+  side_distances(const ContactSpace<dim> &space, const SystemState<dim> &state);
+
   /**
    * Carry a state over to a new contact mapping, that of @p space and
    * @p now. Slip rates belong to the nodes of the fault and stay, along axes
    * that may have turned; the velocity of the slave side follows from them and
    * from the new partners. Nodes that come into contact get the jump of the
-   * velocities as they are. Collective.
+   * velocities as they are, and the gap of their nearest neighbour. Sides that
+   * touch keep doing so; gaps of others change by as much as their
+   * side_distances() from those with the mapping before. Collective.
    */
   template <int dim>
   void
-  change_contact(SystemState<dim>        &state,
-                 const ContactSpace<dim> &space,
-                 const FaultNodes<dim>   &before,
-                 const FaultNodes<dim>   &now);
+  change_contact(SystemState<dim>          &state,
+                 const ContactSpace<dim>   &space,
+                 const FaultNodes<dim>     &before,
+                 const FaultNodes<dim>     &now,
+                 const std::vector<double> &distances_before = {});
 } // namespace StickSlip
 
 #endif

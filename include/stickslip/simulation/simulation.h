@@ -161,6 +161,8 @@ namespace StickSlip
     BoundaryValues<dim> boundary_values;
     SpatialProblem<dim> problem;
     NodeLaws            laws;
+    /** Of each slave node, empty where no fault may open. */
+    std::vector<NodeOpening> openings;
 
     RunState<dim> run_state;
 

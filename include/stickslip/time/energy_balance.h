@@ -24,12 +24,15 @@ namespace StickSlip
     /** Dissipated by viscosity, by friction and by radiation damping,
      * positive. */
     double viscosity = 0, friction = 0, radiation = 0;
+    /** Taken by sides that come together and by bonds that break, positive:
+     * step by step, not as a power. */
+    double contact = 0;
 
     /** Sum of all, as it adds to the kinetic and elastic energy. */
     double
     gain() const
     {
-      return loads + driven_sides - viscosity - friction - radiation;
+      return loads + driven_sides - viscosity - friction - radiation - contact;
     }
 
     /** *this += factor * other. */
@@ -41,7 +44,7 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &loads &driven_sides &viscosity &friction &radiation;
+      archive &loads &driven_sides &viscosity &friction &radiation &contact;
     }
   };
 
@@ -101,9 +104,10 @@ namespace StickSlip
     void
     start(const SystemState<dim> &state);
 
-    /** Add a step to @p state, before the contact mapping follows it. */
+    /** Add a step to @p state, before the contact mapping follows it; @p
+     * contact: what goes the way of faults that open in it. */
     void
-    add(const SystemState<dim> &state);
+    add(const SystemState<dim> &state, const ContactEnergy &contact = {});
 
     /** Go on from @p state after contact mapping and velocities have changed;
      * the energy that this adds or takes goes into the defect. */

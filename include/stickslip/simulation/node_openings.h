@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_simulation_node_openings_h
+#define stickslip_simulation_node_openings_h
+
+#include <stickslip/problem/contact_components.h>
+#include <stickslip/problem/unilateral_contact.h>
+#include <stickslip/scene/scene_parameters.h>
+
+namespace StickSlip
+{
+  /** What each slave node may do along the normal; empty where no fault of the
+   * scene may open. Throws InputError where a field has no value. */
+  template <int dim>
+  std::vector<NodeOpening>
+  make_node_openings(const SceneParameters<dim> &scene,
+                     const JumpBasis<dim>       &basis);
+
+  /** The parts of the faults that may open, one entry a fault, none at all
+   * where nothing may. The scene must outlive them. */
+  template <int dim>
+  std::vector<OpeningParts<dim>>
+  make_opening_parts(const SceneParameters<dim> &scene);
+} // namespace StickSlip
+
+#endif
