@@ -26,11 +26,14 @@ subsection Bodies
     set Upper lateral corner = 1
     set Thickness            = 1
     set Uniform refinements  = 7
+    set Refinement passes    = 0
     set Coarse cells         = 1, 1
     subsection Material
       set Young modulus = 100
       set Poisson ratio = 0
       set Density       = 1
+      set Bulk viscosity  = 0
+      set Shear viscosity = 0
     end
   end
 end
@@ -79,6 +82,20 @@ TEST(OpeningBar, BouncesOffAWall)
           ASSERT_TRUE(result.converged) << result.failure;
           lost += result.contact_energy.lost;
           n_iterations += result.counts.tnnmg_iterations;
+          if (std::getenv("TALK") && scene.state.time > 0.01 && scene.state.time < 0.0105)
+            {
+              const auto &level = scene.meshes.finest();
+              const auto  pos   = level.bodies[1]->node_positions();
+              for (unsigned int i = 0; i < pos.size(); ++i)
+                if (pos[i][0] == 0.)
+                  {
+                    const auto n = level.nodes.local_index(level.global_node(1, i));
+                    std::cout << "   y " << pos[i][1] << " vy "
+                              << scene.state.velocity.local_element(2 * n + 1)
+                              << " u " << scene.state.displacement.local_element(2 * n + 1)
+                              << '\n';
+                  }
+            }
           if (std::getenv("TALK"))
             std::cout << scene.state.time << ' ' << scene.state.gap[0] << ' '
                       << scene.state.contact_pressure[0] << ' '

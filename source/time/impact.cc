@@ -27,11 +27,12 @@ namespace StickSlip
 
 
 
-    /** The inverse of the diagonal. */
+    /** The inverse of the diagonal, which may be zero where it is masked. */
     template <int dim>
     struct InverseDiagonal
     {
       const BlockMatrix<dim> &matrix;
+      const NodeMask         &active;
 
       void
       vmult(NodalVector &y, const NodalVector &x) const
@@ -41,7 +42,9 @@ namespace StickSlip
             const double *block = matrix.block(matrix.sparsity().diagonal[i]);
             for (unsigned int c = 0; c < dim; ++c)
               y.local_element(i * dim + c) =
-                x.local_element(i * dim + c) / block[c * dim + c];
+                active.is_active(i, c) ?
+                  x.local_element(i * dim + c) / block[c * dim + c] :
+                  0.;
           }
       }
     };
@@ -88,7 +91,8 @@ namespace StickSlip
         SolverCG<NodalVector>(control).solve(MaskedMatrix<dim>{mass, active},
                                              change,
                                              rhs,
-                                             InverseDiagonal<dim>{mass});
+                                             InverseDiagonal<dim>{mass,
+                                                                  active});
       }
     change += jumps;
 
