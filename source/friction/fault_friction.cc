@@ -37,31 +37,33 @@ namespace StickSlip
     minimise_tangential(const FrictionLaw         &law,
                         const double               data,
                         const double               load,
+                        const double               threshold,
                         const Tensor<2, 1>        &A,
                         const Tensor<1, 1>        &r,
                         const std::array<bool, 1> &active,
                         Tensor<1, 1>              &v)
     {
       if (active[0])
-        v[0] = minimise_local(law, data, A[0][0], r[0], load);
+        v[0] = minimise_local(law, data, A[0][0], r[0], load, threshold);
     }
 
     void
     minimise_tangential(const FrictionLaw         &law,
                         const double               data,
                         const double               load,
+                        const double               threshold,
                         const Tensor<2, 2>        &A,
                         const Tensor<1, 2>        &r,
                         const std::array<bool, 2> &active,
                         Tensor<1, 2>              &v)
     {
       if (active[0] && active[1])
-        v = minimise_local(law, data, A, r, load);
+        v = minimise_local(law, data, A, r, load, threshold);
       else
         for (unsigned int i = 0; i < 2; ++i)
           if (active[i])
-            v[i] =
-              minimise_local_beside(law, data, A[i][i], r[i], load, v[1 - i]);
+            v[i] = minimise_local_beside(
+              law, data, A[i][i], r[i], load, v[1 - i], threshold);
     }
   } // namespace
 
@@ -125,6 +127,20 @@ namespace StickSlip
 
     for (unsigned int k = 0; k < terms.size(); ++k)
       terms[k].load = weights[k] * normal_stresses[k];
+  }
+
+
+
+  template <int dim>
+  void
+  FaultFriction<dim>::set_cohesion(const std::vector<double> &cohesion)
+  {
+    AssertDimension(cohesion.size(), terms.size());
+    for (unsigned int k = 0; k < terms.size(); ++k)
+      {
+        Assert(cohesion[k] >= 0., ExcMessage("Cohesion must not be negative."));
+        terms[k].threshold = weights[k] * cohesion[k];
+      }
   }
 
 
@@ -242,7 +258,7 @@ namespace StickSlip
     AssertIndexRange(k, terms.size());
     const Term  &term = terms[k];
     const double V    = slip_rate(v);
-    return term.load * term.law->potential(V, term.data) +
+    return term.load * term.law->potential(V, term.data) + term.threshold * V +
            0.5 * term.damping * V * V;
   }
 
@@ -264,7 +280,7 @@ namespace StickSlip
     const double change = (V == 0.) ? magnitude(d_t) : (v_t / V) * d_t;
     return (change == 0.) ? 0. :
                             (term.load * term.law->coefficient(V, term.data) +
-                             term.damping * V) *
+                             term.threshold + term.damping * V) *
                               change;
   }
 
@@ -282,8 +298,8 @@ namespace StickSlip
     if (V == 0.)
       return result;
 
-    const double force =
-      term.load * term.law->coefficient(V, term.data) + term.damping * V;
+    const double force = term.load * term.law->coefficient(V, term.data) +
+                         term.threshold + term.damping * V;
     for (unsigned int i = 0; i < dim; ++i)
       if (i != normal_component<dim>)
         result[i] = force * (v[i] / V);
@@ -335,16 +351,16 @@ namespace StickSlip
       if (i != normal_component<dim>)
         result[i][i] = term.damping;
     // The derivatives of the law may be infinite.
-    if (term.load == 0.)
+    if (term.load == 0. && term.threshold == 0.)
       return result;
 
     const auto   bounded = [](const double x) { return std::min(x, 1e200); };
     const double V       = slip_rate(v);
-    const double radial  = bounded(term.load * slope);
-    const double across =
-      (V == 0.) ?
-        radial :
-        bounded(term.load * (term.law->coefficient(V, term.data) / V));
+    const double radial  = (term.load == 0.) ? 0. : bounded(term.load * slope);
+    double       across  = radial;
+    if (V > 0.)
+      across = bounded(term.load * (term.law->coefficient(V, term.data) / V) +
+                       term.threshold / V);
 
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
@@ -364,7 +380,9 @@ namespace StickSlip
                                 const Tensor<1, dim> &v) const
   {
     AssertIndexRange(k, terms.size());
-    return terms[k].law->is_smooth(slip_rate(v), terms[k].data);
+    const double V = slip_rate(v);
+    return (V > 0. || terms[k].threshold == 0.) &&
+           terms[k].law->is_smooth(V, terms[k].data);
   }
 
 
@@ -452,7 +470,7 @@ namespace StickSlip
       }
 
     minimise_tangential(
-      *term.law, term.data, term.load, A_t, r_t, active_t, v_t);
+      *term.law, term.data, term.load, term.threshold, A_t, r_t, active_t, v_t);
 
     Tensor<1, dim> v = start;
     for (unsigned int i = 0; i < dim - 1; ++i)

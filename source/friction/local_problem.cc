@@ -34,9 +34,12 @@ namespace StickSlip
                  const double       data,
                  const double       c,
                  const double       r,
-                 const double       k)
+                 const double       k,
+                 const double       threshold)
   {
-    return std::copysign(law.minimiser(c, std::abs(r), k, data), r);
+    const double force = std::abs(r) - threshold;
+    return force <= 0. ? 0. :
+                         std::copysign(law.minimiser(c, force, k, data), r);
   }
 
 
@@ -46,10 +49,11 @@ namespace StickSlip
                  const double        data,
                  const Tensor<2, 2> &A,
                  const Tensor<1, 2> &r,
-                 const double        k)
+                 const double        k,
+                 const double        threshold)
   {
     const double norm_r = std::hypot(r[0], r[1]);
-    if (norm_r == 0.)
+    if (norm_r <= threshold)
       return Tensor<1, 2>();
 
     // Everything in B below is of order one, whatever the units.
@@ -73,15 +77,19 @@ namespace StickSlip
         const double       length = n.norm();
         const double       cube   = length * length * length;
 
+        const double force = norm_r - threshold * (n * m) / cube;
+        if (force <= 0.)
+          return Tensor<1, 2>();
         const double next = law.minimiser(scale * (n * (A_scaled * m)) / cube,
-                                          norm_r,
+                                          force,
                                           k * (n * m) / cube,
                                           data);
         if (next == 0.)
           return Tensor<1, 2>();
 
-        const double matrix_force   = scale * next;
-        const double friction_force = k * law.coefficient(next, data);
+        const double matrix_force = scale * next;
+        const double friction_force =
+          k * law.coefficient(next, data) + threshold;
         matrix_share   = matrix_force / (matrix_force + friction_force);
         friction_share = friction_force / (matrix_force + friction_force);
 
@@ -107,10 +115,11 @@ namespace StickSlip
                         const double       c,
                         const double       r,
                         const double       k,
-                        const double       w)
+                        const double       w,
+                        const double       threshold)
   {
-    if (w == 0. || k == 0. || r == 0.)
-      return minimise_local(law, data, c, r, k);
+    if (w == 0. || (k == 0. && threshold == 0.) || r == 0.)
+      return minimise_local(law, data, c, r, k, threshold);
 
     // Friction slows down, and its coefficient does not fall with the slip
     // rate: this gives bounds on both sides.
@@ -118,14 +127,15 @@ namespace StickSlip
     double       upper = force / c;
     double       lower =
       force /
-      (c + k * law.coefficient(std::hypot(upper, w), data) / std::abs(w));
+      (c + (k * law.coefficient(std::hypot(upper, w), data) + threshold) /
+             std::abs(w));
     lower = std::max(lower, std::numeric_limits<double>::min());
 
     double v = std::min(lower, upper);
     for (unsigned int i = 0; i < 200 && lower < upper; ++i)
       {
         const double V        = std::hypot(v, w);
-        const double secant   = k * law.coefficient(V, data) / V;
+        const double secant   = (k * law.coefficient(V, data) + threshold) / V;
         const double cosine   = v / V;
         const double residual = (c + secant) * v - force;
         const double slope = c + k * law.derivative(V, data) * cosine * cosine +

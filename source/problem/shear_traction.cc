@@ -17,10 +17,11 @@ namespace StickSlip
                  const SystemState<dim> &state,
                  const unsigned int      k)
     {
+      const bool is_held = state.normal_stress[k] > 0. ||
+                           (!state.is_bonded.empty() && state.is_bonded[k]);
       return faults.in_contact(k) &&
              (laws[k].is_prescribed ||
-              (state.normal_stress[k] > 0. &&
-               magnitude(state.slip_rate[k]) < least_slip_rate));
+              (is_held && magnitude(state.slip_rate[k]) < least_slip_rate));
     }
   } // namespace
 

@@ -182,6 +182,8 @@ namespace StickSlip
     contact.bounds = unilateral.bounds(from, contact.path);
     unilateral.add_prestress(rhs, from, contact.path);
     friction->set_opening_bounds(fault_nodes.at_owned_contact(contact.bounds));
+    friction->set_cohesion(
+      fault_nodes.at_owned_contact(unilateral.cohesion(from)));
     return contact;
   }
 

@@ -103,6 +103,13 @@ namespace StickSlip
     is_in_contact(const unsigned int k, const Tensor<1, dim> &v) const;
 
     /**
+     * Set the cohesion at each node, Pa, none negative: a shear traction in
+     * addition to that of friction which does not depend on the slip rate.
+     */
+    void
+    set_cohesion(const std::vector<double> &cohesion);
+
+    /**
      * The law at term @p k.
      */
     const FrictionLaw &
@@ -208,6 +215,8 @@ namespace StickSlip
       double load;
       /** w_p eta_p. */
       double damping;
+      /** w_p times the cohesion. */
+      double threshold = 0.;
     };
 
     /** The bound of a normal component, which is at least, for a negative sign
