@@ -82,18 +82,21 @@ TEST(OpeningBar, BouncesOffAWall)
           ASSERT_TRUE(result.converged) << result.failure;
           lost += result.contact_energy.lost;
           n_iterations += result.counts.tnnmg_iterations;
-          if (std::getenv("TALK") && scene.state.time > 0.01 && scene.state.time < 0.0105)
+          if (std::getenv("TALK") && scene.state.time > 0.01 &&
+              scene.state.time < 0.0105)
             {
               const auto &level = scene.meshes.finest();
               const auto  pos   = level.bodies[1]->node_positions();
               for (unsigned int i = 0; i < pos.size(); ++i)
                 if (pos[i][0] == 0.)
                   {
-                    const auto n = level.nodes.local_index(level.global_node(1, i));
-                    std::cout << "   y " << pos[i][1] << " vy "
-                              << scene.state.velocity.local_element(2 * n + 1)
-                              << " u " << scene.state.displacement.local_element(2 * n + 1)
-                              << '\n';
+                    const auto n =
+                      level.nodes.local_index(level.global_node(1, i));
+                    std::cout
+                      << "   y " << pos[i][1] << " vy "
+                      << scene.state.velocity.local_element(2 * n + 1) << " u "
+                      << scene.state.displacement.local_element(2 * n + 1)
+                      << '\n';
                   }
             }
           if (std::getenv("TALK"))

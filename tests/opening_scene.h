@@ -98,9 +98,10 @@ namespace StickSlip::Tests
       const std::function<Tensor<1, dim>(const unsigned int body,
                                          const Point<dim> &)> &velocity)
     {
-      state.displacement          = 0.;
-      state.velocity              = 0.;
-      state.acceleration          = 0.;
+      state.displacement = 0.;
+      state.velocity     = 0.;
+      state.acceleration = 0.;
+      state.force.reinit(0);
       const MeshLevel<dim> &level = meshes.finest();
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
         {

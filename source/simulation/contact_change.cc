@@ -257,6 +257,8 @@ namespace StickSlip
                    space,
                    before,
                    now);
+    // Forces are those of the state as it is now.
+    state.force.reinit(0);
     // Tractions of nodes off contact mean nothing any more.
     for (unsigned int k = 0; k < state.balancing_traction.size(); ++k)
       if (!now.in_contact(k))

@@ -6,6 +6,56 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** Owned entries only: those of the force may have other ghosts. */
+    void
+    add_owned(NodalVector &sum, const double factor, const NodalVector &vector)
+    {
+      for (unsigned int i = 0; i < sum.locally_owned_size(); ++i)
+        sum.local_element(i) += factor * vector.local_element(i);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  NodalVector
+  ContactImplicit<dim>::start_force(SpatialProblem<dim>    &problem,
+                                    const SystemState<dim> &from) const
+  {
+    using Problem = SpatialProblem<dim>;
+    if (from.force.size() > 0)
+      {
+        NodalVector force = problem.make_vector();
+        add_owned(force, 1., from.force);
+        return force;
+      }
+
+    NodalVector force = problem.load(from.time), w = problem.make_vector(),
+                product = w;
+    if (problem.has(Problem::damping))
+      {
+        problem.to_jumps(w, from.velocity);
+        problem.term(Problem::damping).vmult(product, w);
+        force -= product;
+      }
+    problem.to_jumps(w, from.displacement);
+    problem.term(Problem::stiffness).vmult(product, w);
+    force -= product;
+    for (const unsigned int k : faults.owned_contact())
+      {
+        const Tensor<1, dim - 1> traction =
+          shear_traction(faults, laws, from, k);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          force.local_element(faults.node(k) * dim + d) -=
+            faults.weights()[k] * traction[d];
+      }
+    return force;
+  }
+
+
+
   template <int dim>
   NodalVector
   ContactImplicit<dim>::right_hand_side(SpatialProblem<dim>    &problem,
@@ -15,32 +65,13 @@ namespace StickSlip
     using Problem   = SpatialProblem<dim>;
     NodalVector rhs = problem.load(from.time + tau), w = problem.make_vector(),
                 product = w;
-    rhs += problem.load(from.time);
-
+    rhs += start_force(problem, from);
     problem.to_jumps(w, from.velocity);
     problem.term(Problem::mass).vmult(product, w);
     rhs.add(2. / tau, product);
-    if (problem.has(Problem::damping))
-      {
-        problem.term(Problem::damping).vmult(product, w);
-        rhs -= product;
-      }
-
-    // K u at both ends, of the later one what is known.
-    NodalVector u = from.displacement;
-    u.sadd(2., tau / 2., from.velocity);
-    problem.to_jumps(w, u);
+    problem.to_jumps(w, this->known_displacement(from, tau));
     problem.term(Problem::stiffness).vmult(product, w);
     rhs -= product;
-
-    for (const unsigned int k : faults.owned_contact())
-      {
-        const Tensor<1, dim - 1> traction =
-          shear_traction(faults, laws, from, k);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          rhs.local_element(faults.node(k) * dim + d) -=
-            faults.weights()[k] * traction[d];
-      }
     return rhs;
   }
 
@@ -57,6 +88,39 @@ namespace StickSlip
     to.acceleration = to.velocity;
     to.acceleration -= from.velocity;
     to.acceleration /= tau;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactImplicit<dim>::set_end_force(SystemState<dim>       &to,
+                                      const SystemState<dim> &from,
+                                      const double            tau,
+                                      SpatialProblem<dim>    &problem,
+                                      const NodalVector      &w,
+                                      const NodalVector      &w_stopped,
+                                      const NodalVector      &reaction) const
+  {
+    using Problem      = SpatialProblem<dim>;
+    NodalVector change = problem.make_vector(), product = change;
+    problem.to_jumps(change, from.velocity);
+    change.sadd(-1., 1., w);
+    problem.term(Problem::mass).vmult(product, change);
+    to.force = product;
+    to.force *= 2. / tau;
+    add_owned(to.force, -1., start_force(problem, from));
+    add_owned(to.force, -1., reaction);
+    if (problem.has(Problem::damping))
+      {
+        change = w;
+        change -= w_stopped;
+        if (change.linfty_norm() > 0.)
+          {
+            problem.term(Problem::damping).vmult(product, change);
+            to.force += product;
+          }
+      }
   }
 
 

@@ -149,7 +149,8 @@ namespace StickSlip
           }
         complete(to, from, tau, rhs, w, contact);
         if (unilateral.is_needed())
-          result.contact_energy = complete_contact(to, from, tau, w, contact);
+          result.contact_energy =
+            complete_contact(to, from, tau, rhs, w, contact);
         result.converged = true;
       }
     catch (const SingularMatrix &error)
@@ -203,8 +204,12 @@ namespace StickSlip
       {
         to.contact_pressure =
           prediction ? prediction->contact_pressure : from.contact_pressure;
-        to.normal_stress =
-          following.normal_stress(from.normal_stress, to.contact_pressure);
+        std::vector<bool> touching;
+        for (const double gap : from.gap)
+          touching.push_back(gap == 0.);
+        to.normal_stress = following.normal_stress(
+          from.normal_stress,
+          end_pressure(to.contact_pressure, from, tau, touching));
       }
     to.velocity = prediction ? prediction->velocity : from.velocity;
     problem.boundary_values().set_velocities(to.time, to.velocity);
@@ -323,20 +328,31 @@ namespace StickSlip
       return 0.;
     // The reaction is that of complete velocities.
     finish_rate(rhs, w);
-    to.contact_pressure        = contact_pressure(from, rhs, w, contact);
-    std::vector<double> at_end = to.contact_pressure;
-    if (unilateral.is_needed())
-      for (unsigned int k = 0; k < at_end.size(); ++k)
-        if (!unilateral.may_open(k) ||
-            (contact.touching[k] && from.gap[k] == 0.))
-          at_end[k] = time_scheme->end_pressure(at_end[k],
-                                                from.contact_pressure[k],
-                                                tau,
-                                                from.last_step);
+    to.contact_pressure              = contact_pressure(from, rhs, w, contact);
     const std::vector<double> before = to.normal_stress;
-    to.normal_stress                 = following.normal_stress(before, at_end);
+    to.normal_stress                 = following.normal_stress(
+      before, end_pressure(to.contact_pressure, from, tau, contact.touching));
     return fault_nodes.l2_norm(
       relative_stress_change(fault_nodes, node_laws, before, to.normal_stress));
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RateStateStep<dim>::end_pressure(std::vector<double>      pressure,
+                                   const SystemState<dim>  &from,
+                                   const double             tau,
+                                   const std::vector<bool> &touching) const
+  {
+    if (unilateral.is_needed())
+      for (unsigned int k = 0; k < pressure.size(); ++k)
+        if (!unilateral.may_open(k) || (touching[k] && from.gap[k] == 0.))
+          pressure[k] = time_scheme->end_pressure(pressure[k],
+                                                  from.contact_pressure[k],
+                                                  tau,
+                                                  from.last_step);
+    return pressure;
   }
 
 
@@ -394,8 +410,9 @@ namespace StickSlip
   RateStateStep<dim>::complete_contact(SystemState<dim>       &to,
                                        const SystemState<dim> &from,
                                        const double            tau,
+                                       const NodalVector      &rhs,
                                        NodalVector            &w,
-                                       const ContactOfStep    &contact) const
+                                       const ContactOfStep    &contact)
   {
     unilateral.complete(to,
                         from,
@@ -407,7 +424,23 @@ namespace StickSlip
     if (time_parameters.inertia != Inertia::dynamic)
       return energy;
 
+    // What the contact does is the reaction less what was put into the right
+    // hand side for it.
+    NodalVector all_forces = w, prestress = problem.make_vector();
+    problem.operators().matrix().residual(all_forces, rhs, w);
+    unilateral.add_prestress(prestress, from, contact.path);
+    NodalVector reaction = problem.make_vector();
+    for (const unsigned int k : fault_nodes.owned_contact())
+      {
+        const unsigned int position      = fault_nodes.node(k) * dim + dim - 1;
+        reaction.local_element(position) = prestress.local_element(position) -
+                                           all_forces.local_element(position);
+      }
+
+    const NodalVector before_impacts = w;
     energy.lost += stop_impacts(problem, fault_nodes, contact.touching, w);
+    time_scheme->set_end_force(
+      to, from, tau, problem, before_impacts, w, reaction);
     problem.to_nodal(to.velocity, w);
     to.slip_rate    = fault_nodes.tangential_jumps(w);
     to.opening_rate = fault_nodes.opening_jumps(w);

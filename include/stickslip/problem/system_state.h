@@ -28,6 +28,11 @@ namespace StickSlip
     /** Nodal values, m, m/s, m/s^2; the last empty without inertia. */
     NodalVector displacement, velocity, acceleration;
 
+    /** Forces that are not of the contact, dual in the jump basis, N: carried
+     * from step to step by the scheme for faults that open (ContactImplicit);
+     * empty elsewhere, at the start and after a new contact mapping. */
+    NodalVector force;
+
     /** Size of the step that has led here, s, and mean of the velocity over it,
      * m/s: without inertia. Zero and empty at the start. */
     double      last_step = 0;
@@ -76,6 +81,7 @@ namespace StickSlip
       action(state.velocity);
       action(state.acceleration);
       action(state.mean_velocity);
+      action(state.force);
     }
 
     /** Everything but the nodal vectors, to or from a boost archive. */

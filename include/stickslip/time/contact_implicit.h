@@ -21,8 +21,11 @@ namespace StickSlip
    * bound on the gap takes it as R0 + R1, and gains energy at impacts; here
    * contact never adds any. Velocities after impacts: see stop_impacts().
    *
-   * G0 comes from the state at the start, not from an acceleration: that of
-   * the result is the mean over the step and for output only.
+   * Forces at the end are those of this balance, which the next step begins
+   * with: what is left of the rate problem's residual is not lost, and comes
+   * back with the other sign. At the start, and with a new contact mapping,
+   * they come from displacement, velocity and friction. The acceleration of the
+   * result is the mean over the step, and for output only.
    */
   template <int dim>
   class ContactImplicit : public Newmark<dim>
@@ -44,6 +47,15 @@ namespace StickSlip
              const SystemState<dim> &from,
              const double            tau) const override;
 
+    void
+    set_end_force(SystemState<dim>       &to,
+                  const SystemState<dim> &from,
+                  const double            tau,
+                  SpatialProblem<dim>    &problem,
+                  const NodalVector      &w,
+                  const NodalVector      &w_stopped,
+                  const NodalVector      &reaction) const override;
+
     /** The forces of a rate problem are the sum of those at both ends. */
     GapPath
     gap_path(const double tau, const double) const override
@@ -62,6 +74,11 @@ namespace StickSlip
     }
 
   private:
+    /** G0. */
+    NodalVector
+    start_force(SpatialProblem<dim>    &problem,
+                const SystemState<dim> &from) const;
+
     const FaultNodes<dim> &faults;
     const NodeLaws        &laws;
   };

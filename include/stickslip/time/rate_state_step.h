@@ -140,6 +140,14 @@ namespace StickSlip
                     NodalVector            &w,
                     const ContactOfStep    &contact);
 
+    /** The contact pressure at the end of the step from that of its rate
+     * problem, Pa; @p touching: nodes that may open and touch there. */
+    std::vector<double>
+    end_pressure(std::vector<double>      pressure,
+                 const SystemState<dim>  &from,
+                 const double             tau,
+                 const std::vector<bool> &touching) const;
+
     /** True if rate and state have settled. Throws StepFailure if they never
      * will. */
     bool
@@ -163,8 +171,9 @@ namespace StickSlip
     complete_contact(SystemState<dim>       &to,
                      const SystemState<dim> &from,
                      const double            tau,
+                     const NodalVector      &rhs,
                      NodalVector            &w,
-                     const ContactOfStep    &contact) const;
+                     const ContactOfStep    &contact);
 
     /** Complete the velocities that single iterations leave alone. */
     void

@@ -70,6 +70,21 @@ namespace StickSlip
              const SystemState<dim> &from,
              const double            tau) const = 0;
 
+    /** Set the force that @p to carries to the next step, if the scheme has
+     * one:
+     * @p w, @p w_stopped: velocities of the rate problem and after impacts, @p
+     * reaction: of the contact over the whole step, all in the jump basis.
+     * Collective. */
+    virtual void
+    set_end_force(SystemState<dim> &,
+                  const SystemState<dim> &,
+                  const double,
+                  SpatialProblem<dim> &,
+                  const NodalVector &,
+                  const NodalVector &,
+                  const NodalVector &) const
+    {}
+
     /** The local error of the displacement over its third derivative, s^3, in a
      * step of size @p tau after one of size @p last. */
     virtual double
