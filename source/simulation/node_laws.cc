@@ -101,6 +101,8 @@ namespace StickSlip
                   continue;
                 result.laws.push_back(make_law(kind, values[i]));
                 result.laws.back().radiation_damping = eta;
+                result.laws.back().is_frozen_open =
+                  part.friction->opening.open_state == OpenState::frozen;
               }
           }
       }

@@ -67,7 +67,6 @@ namespace StickSlip
                 node.cohesion          = cohesion[i];
                 node.bond_healing_time = opening.bond_healing_time;
                 node.initial_gap       = gap[i];
-                node.is_frozen_open = opening.open_state == OpenState::frozen;
               }
           }
       }

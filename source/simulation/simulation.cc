@@ -254,6 +254,25 @@ namespace StickSlip
         TimerOutput::Scope section(timer, "Energy balance");
         energy->add(state(), step.contact_energy);
       }
+    if (std::getenv("TALKS") && state().gap.empty())
+      std::cerr << state().time << " " << step.step_size << " error "
+                << run_state.steps.last_error << "\n";
+    else if (std::getenv("TALKS"))
+      {
+        unsigned int open    = 0;
+        double       largest = 0;
+        for (const double g : state().gap)
+          open += g > 0., largest = std::max(largest, g);
+        std::cerr << state().time << ' ' << step.step_size << " open " << open
+                  << ' ' << largest << " lost " << step.contact_energy.lost
+                  << " its " << step.counts.tnnmg_iterations << " error "
+                  << run_state.steps.last_error << " first "
+                  << state().gap.front() << " last " << state().gap.back()
+                  << " p " << state().contact_pressure.front() << ' '
+                  << state().contact_pressure[1] << ' '
+                  << state().contact_pressure[state().gap.size() / 2] << ' '
+                  << state().contact_pressure.back() << '\n';
+      }
     TimerOutput::Scope section(timer, "Output");
     if (record)
       record->add({counts.accepted,

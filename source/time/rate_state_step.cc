@@ -283,7 +283,7 @@ namespace StickSlip
               if (!contact.touching[k])
                 {
                   slip_rate[k] = Tensor<1, dim - 1>();
-                  is_frozen[k] = unilateral.is_frozen_open(k);
+                  is_frozen[k] = node_laws[k].is_frozen_open;
                 }
               if (from.gap[k] > 0.)
                 slip_rate_before[k] = Tensor<1, dim - 1>();
@@ -441,6 +441,13 @@ namespace StickSlip
     energy.lost += stop_impacts(problem, fault_nodes, contact.touching, w);
     time_scheme->set_end_force(
       to, from, tau, problem, before_impacts, w, reaction);
+    if (energy.lost > 0.)
+      {
+        NodalVector v = problem.make_vector(), product = v;
+        problem.to_jumps(v, from.velocity);
+        problem.term(SpatialProblem<dim>::mass).vmult(product, v);
+        energy.kinetic = 0.5 * (v * product);
+      }
     problem.to_nodal(to.velocity, w);
     to.slip_rate    = fault_nodes.tangential_jumps(w);
     to.opening_rate = fault_nodes.opening_jumps(w);

@@ -29,9 +29,10 @@ namespace StickSlip
         // Sides that are apart feel nothing of each other.
         result.in_contact[k] =
           faults.in_contact(k) && (state.gap.empty() || state.gap[k] == 0.);
-        const FaultLaw &law = laws[k];
-        const double    V   = magnitude(state.slip_rate[k]);
-        if (law.state_law)
+        const FaultLaw &law     = laws[k];
+        const bool      is_open = !state.gap.empty() && state.gap[k] > 0.;
+        const double    V       = is_open ? 0. : magnitude(state.slip_rate[k]);
+        if (law.state_law && !(is_open && law.is_frozen_open))
           result.state_rate[k] =
             law.state_law->rate(state.alpha[k], V, law.characteristic_slip);
         result.friction[k] = directed_friction(faults, laws, state, k);

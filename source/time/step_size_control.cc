@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace StickSlip
@@ -25,6 +26,30 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** Sides that come together this soon after the start of a step, or before
+     * its end, over its size, are no reason to split it. */
+    constexpr double least_part = 0.02;
+
+
+
+    /** The time from the start of a step until the first gap that it closes
+     * is closed at the rate of the start, s; infinite if there is none. */
+    template <int dim>
+    double
+    time_of_contact(const SystemState<dim> &from, const SystemState<dim> &to)
+    {
+      double earliest = std::numeric_limits<double>::max();
+      for (unsigned int k = 0; k < to.gap.size(); ++k)
+        if (from.gap[k] > 0. && to.gap[k] == 0. && from.opening_rate[k] < 0.)
+          earliest = std::min(earliest, -from.gap[k] / from.opening_rate[k]);
+      return earliest;
+    }
+  } // namespace
+
+
+
   template <int dim>
   StepResult<dim>
   StepSizeController<dim>::take(StepMemory<dim>        &memory,
@@ -32,10 +57,35 @@ namespace StickSlip
                                 const double            tau,
                                 const Prediction<dim>  *prediction) const
   {
+    const auto count = [&](const StepResult<dim> &result) {
+      ++memory.n_solved;
+      memory.work += result.counts;
+    };
     StepResult<dim> result = step.take(from, tau, prediction);
-    ++memory.n_solved;
-    memory.work += result.counts;
-    return result;
+    count(result);
+    const ContactEnergy &energy = result.contact_energy;
+    if (!result.converged ||
+        energy.lost <= parameters.impact_tolerance * energy.kinetic)
+      return result;
+
+    const double before = time_of_contact(from, result.state);
+    if (before < least_part * tau || before > (1. - least_part) * tau)
+      return result;
+    const StepResult<dim> first = step.take(from, before);
+    count(first);
+    if (!first.converged || first.contact_energy.lost >= energy.lost)
+      return result;
+    StepResult<dim> second = step.take(first.state, tau - before);
+    count(second);
+    if (!second.converged ||
+        first.contact_energy.lost + second.contact_energy.lost >= energy.lost)
+      return result;
+    second.step_size  = tau;
+    second.state.time = result.state.time;
+    second.counts += first.counts;
+    second.contact_energy.lost += first.contact_energy.lost;
+    second.contact_energy.of_offset += first.contact_energy.of_offset;
+    return second;
   }
 
 

@@ -35,6 +35,15 @@ namespace StickSlip
                "of the slip rate over the largest one of the fault. Before "
                "three steps have been taken, the state alone counts.");
     add_number(prm,
+               "Impact tolerance",
+               impact_tolerance,
+               NumberRange().above(0),
+               "Energy that sides which come together may take in a step, over "
+               "the kinetic energy of the bodies, without unit. A step that "
+               "takes more is split at the moment of contact, if that takes "
+               "less. Used only with 'Inertia = dynamic' and faults that may "
+               "open.");
+    add_number(prm,
                "Doubling threshold",
                doubling_threshold,
                NumberRange().above(0),

@@ -23,6 +23,9 @@ namespace StickSlip
     /** Characteristic slip L, m: of the state, and the measure of an error of
      * the slip. */
     double characteristic_slip = 0;
+    /** True if the state stays as it is where the sides do not touch, instead
+     * of evolving as at rest. */
+    bool is_frozen_open = false;
     /** True where the slip rate is known, so that friction has no say. */
     bool is_prescribed = false;
     /** Radiation damping eta, Pa s/m: a traction eta V against the slip. */

@@ -19,9 +19,6 @@ namespace StickSlip
 
     /** Gap at the start, m. */
     double initial_gap = 0;
-
-    /** True if the state stays as it is while the node is open. */
-    bool is_frozen_open = false;
   };
 } // namespace StickSlip
 

@@ -133,6 +133,9 @@ namespace StickSlip
 
     /** Work of the normal stress that the bodies do not carry. */
     double of_offset = 0;
+
+    /** Kinetic energy at the start of the step; zero where nothing is lost. */
+    double kinetic = 0;
   };
 
   /**

@@ -69,12 +69,6 @@ namespace StickSlip
       return is_needed() && nodes[k].may_open && faults->in_contact(k);
     }
 
-    bool
-    is_frozen_open(const unsigned int k) const
-    {
-      return nodes[k].is_frozen_open;
-    }
-
     /** Least opening rate at each slave node, m/s: -(g0 + of_start rate0) over
      * of_end. */
     std::vector<double>

@@ -64,7 +64,9 @@ namespace StickSlip
     virtual std::vector<StepResult<dim>>
     accepted_steps(const SystemState<dim> &state, StepMemory<dim> &memory) = 0;
 
-    /** A step from @p from, begun at @p prediction, if any, and counted. */
+    /** A step from @p from, begun at @p prediction, if any, and counted; it is
+     * two of them, before and after the moment of contact, where sides that
+     * come together take energy and less of it so. */
     StepResult<dim>
     take(StepMemory<dim>        &memory,
          const SystemState<dim> &from,

@@ -75,6 +75,9 @@ namespace StickSlip
      * StepHistory::estimate_error() of a step, m^((d-1)/2). */
     double tolerance = 3e-6;
 
+    /** Energy that contacts may take in a step, over the kinetic energy. */
+    double impact_tolerance = 1e-3;
+
     /** Threshold of the step doubling control: largest L2(faults) norm of the
      * difference of ln theta between one step and two, m^((d-1)/2). */
     double doubling_threshold = 1e-5;
