@@ -63,9 +63,10 @@ TEST(OpeningBar, StepsThatCloseGapsAreSplit)
 {
   for (const double cfl : {0.5, 2., 8.})
     {
-      double lost[2] = {0., 0.};
+      double       lost[2] = {0., 0.};
       unsigned int n = 0, solved[2] = {0, 0};
-      for (const double gap : {0.0100, 0.0103, 0.0107, 0.0111, 0.0114, 0.0118, 0.0121, 0.0125})
+      for (const double gap :
+           {0.0100, 0.0103, 0.0107, 0.0111, 0.0114, 0.0118, 0.0121, 0.0125})
         {
           ++n;
           for (const bool split : {false, true})
@@ -80,14 +81,14 @@ TEST(OpeningBar, StepsThatCloseGapsAreSplit)
                  "Time/Step size control=constant",
                  "Time/Largest step=" + std::to_string(tau)});
               scene.scene.time.impact_tolerance = split ? 1e-3 : 1e9;
-              scene.scene.time.largest_step = tau;
+              scene.scene.time.largest_step     = tau;
               scene.start_free([](const unsigned int body, const Point<2> &) {
                 Tensor<1, 2> v;
                 v[1] = body == 1 ? -1. : 0.;
                 return v;
               });
-              const double    start = scene.total_energy();
-              const auto      controller =
+              const double start = scene.total_energy();
+              const auto   controller =
                 make_step_size_controller(*scene.step,
                                           scene.scene.time,
                                           scene.boundary_values);
@@ -101,7 +102,8 @@ TEST(OpeningBar, StepsThatCloseGapsAreSplit)
               solved[split] += memory.n_solved;
             }
         }
-      std::cout << "cfl " << cfl << " lost " << lost[0] / n << " split " << lost[1] / n
-                << " solved " << solved[0] << ' ' << solved[1] << '\n';
+      std::cout << "cfl " << cfl << " lost " << lost[0] / n << " split "
+                << lost[1] / n << " solved " << solved[0] << ' ' << solved[1]
+                << '\n';
     }
 }

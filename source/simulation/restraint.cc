@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace StickSlip
 {
@@ -123,6 +124,46 @@ namespace StickSlip
 
 
 
-  template decltype(check_restraint<2>) check_restraint<2>;
-  template decltype(check_restraint<3>) check_restraint<3>;
+  template <int dim>
+  std::string
+  say_what_has_opened(const SceneParameters<dim> &scene,
+                      const FaultNodes<dim>      &faults,
+                      const SystemState<dim>     &state)
+  {
+    constexpr double most_of_it = 0.5;
+
+    if (scene.time.inertia == Inertia::dynamic || state.gap.empty())
+      return "";
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+      {
+        double open = 0., area = 0.;
+        for (unsigned int k = faults.first_of_fault()[f];
+             k < faults.first_of_fault()[f + 1];
+             ++k)
+          {
+            area += faults.weights()[k];
+            if (state.gap[k] > 0.)
+              open += faults.weights()[k];
+          }
+        if (open > most_of_it * area)
+          {
+            std::ostringstream text;
+            text.precision(3);
+            text << " The fault '" << scene.faults[f].name << "' is open over "
+                 << 100. * open / area
+                 << " % of its area: without mass the place of a body that "
+                    "nothing else holds is not determined once it has come "
+                    "off; hold it, or choose 'Time/Inertia' = 'dynamic'.";
+            return text.str();
+          }
+      }
+    return "";
+  }
+
+
+
+  template decltype(say_what_has_opened<2>) say_what_has_opened<2>;
+  template decltype(say_what_has_opened<3>) say_what_has_opened<3>;
+  template decltype(check_restraint<2>)     check_restraint<2>;
+  template decltype(check_restraint<3>)     check_restraint<3>;
 } // namespace StickSlip

@@ -222,10 +222,16 @@ namespace StickSlip
   Simulation<dim>::advance()
   {
     std::vector<StepResult<dim>> accepted;
-    {
-      TimerOutput::Scope section(timer, "Time steps");
-      accepted = step_size_controller->advance(state(), run_state.steps);
-    }
+    try
+      {
+        TimerOutput::Scope section(timer, "Time steps");
+        accepted = step_size_controller->advance(state(), run_state.steps);
+      }
+    catch (const StepSizeTooSmall &failure)
+      {
+        throw StepSizeTooSmall(failure.what() +
+                               say_what_has_opened(scene, faults, state()));
+      }
     for (StepResult<dim> &step : accepted)
       accept(std::move(step));
     if (scene.contact.follow_slip &&
@@ -253,25 +259,6 @@ namespace StickSlip
       {
         TimerOutput::Scope section(timer, "Energy balance");
         energy->add(state(), step.contact_energy);
-      }
-    if (std::getenv("TALKS") && state().gap.empty())
-      std::cerr << state().time << " " << step.step_size << " error "
-                << run_state.steps.last_error << "\n";
-    else if (std::getenv("TALKS"))
-      {
-        unsigned int open    = 0;
-        double       largest = 0;
-        for (const double g : state().gap)
-          open += g > 0., largest = std::max(largest, g);
-        std::cerr << state().time << ' ' << step.step_size << " open " << open
-                  << ' ' << largest << " lost " << step.contact_energy.lost
-                  << " its " << step.counts.tnnmg_iterations << " error "
-                  << run_state.steps.last_error << " first "
-                  << state().gap.front() << " last " << state().gap.back()
-                  << " p " << state().contact_pressure.front() << ' '
-                  << state().contact_pressure[1] << ' '
-                  << state().contact_pressure[state().gap.size() / 2] << ' '
-                  << state().contact_pressure.back() << '\n';
       }
     TimerOutput::Scope section(timer, "Output");
     if (record)

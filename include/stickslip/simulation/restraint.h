@@ -23,6 +23,15 @@ namespace StickSlip
                   const FaultNodes<dim>      &faults,
                   const NodeLaws             &laws,
                   const SystemState<dim>     &state);
+
+  /** One more sentence for a run that could not go on: which fault is open so
+   * far that a body without mass is about to lose its hold; empty if none is
+   * or if there is mass. */
+  template <int dim>
+  std::string
+  say_what_has_opened(const SceneParameters<dim> &scene,
+                      const FaultNodes<dim>      &faults,
+                      const SystemState<dim>     &state);
 } // namespace StickSlip
 
 #endif
