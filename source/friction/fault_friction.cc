@@ -144,6 +144,89 @@ namespace StickSlip
 
 
   template <int dim>
+  void
+  FaultFriction<dim>::set_opening(const std::vector<int> &signs)
+  {
+    AssertDimension(signs.size(), terms.size());
+    has_openings = true;
+    bounds.resize(terms.size());
+    for (unsigned int k = 0; k < terms.size(); ++k)
+      {
+        Assert(-1 <= signs[k] && signs[k] <= 1, ExcMessage("Not a sign."));
+        bounds[k].sign  = signs[k];
+        bounds[k].value = 0.;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FaultFriction<dim>::set_opening_bounds(const std::vector<double> &new_bounds)
+  {
+    Assert(has_bounds(), ExcMessage("set_opening() comes first."));
+    AssertDimension(new_bounds.size(), terms.size());
+    for (unsigned int k = 0; k < terms.size(); ++k)
+      if (bounds[k].sign != 0.)
+        {
+          Assert(std::isfinite(new_bounds[k]),
+                 ExcMessage("Bounds must be finite."));
+          bounds[k].value = bounds[k].sign * new_bounds[k];
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  FaultFriction<dim>::is_in_contact(const unsigned int    k,
+                                    const Tensor<1, dim> &v) const
+  {
+    AssertIndexRange(k, terms.size());
+    return bounds.empty() || bounds[k].sign == 0. ||
+           v[normal_component<dim>] == bounds[k].value;
+  }
+
+
+
+  template <int dim>
+  bool
+  FaultFriction<dim>::has_bounds() const
+  {
+    return has_openings;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  FaultFriction<dim>::project(const unsigned int    k,
+                              const Tensor<1, dim> &v) const
+  {
+    AssertIndexRange(k, terms.size());
+    constexpr unsigned int n      = normal_component<dim>;
+    Tensor<1, dim>         result = v;
+    if (!bounds.empty() && bounds[k].is_beyond(v[n]))
+      result[n] = bounds[k].value;
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  FaultFriction<dim>::is_at_bound(const unsigned int    k,
+                                  const Tensor<1, dim> &v,
+                                  const unsigned int    component) const
+  {
+    AssertIndexRange(k, terms.size());
+    return component == normal_component<dim> && !bounds.empty() &&
+           bounds[k].sign != 0. && v[component] == bounds[k].value;
+  }
+
+
+
+  template <int dim>
   double
   FaultFriction<dim>::slip_rate(const Tensor<1, dim> &v)
   {
@@ -308,6 +391,50 @@ namespace StickSlip
     AssertIndexRange(k, terms.size());
     constexpr unsigned int n    = normal_component<dim>;
     const Term            &term = terms[k];
+    if (bounds.empty() || bounds[k].sign == 0. || !active[n])
+      return minimise_unbounded(term, A, r, active, start);
+
+    const Bound &bound    = bounds[k];
+    const auto   at_bound = [&]() {
+      std::array<bool, dim> others = active;
+      others[n]                    = false;
+      Tensor<1, dim> start_there = start, r_there = r;
+      start_there[n] = bound.value;
+      for (unsigned int i = 0; i < n; ++i)
+        r_there[i] -= A[i][n] * bound.value;
+      return minimise_unbounded(term, A, r_there, others, start_there);
+    };
+
+    // The state of the start is the likely one.
+    const bool     starts_at_bound = (start[n] == bound.value);
+    Tensor<1, dim> v_at_bound;
+    if (starts_at_bound)
+      {
+        v_at_bound   = at_bound();
+        double force = r[n] - A[n][n] * bound.value;
+        for (unsigned int i = 0; i < n; ++i)
+          if (active[i])
+            force -= A[n][i] * v_at_bound[i];
+        if (bound.sign * force <= 0.)
+          return v_at_bound;
+      }
+    const Tensor<1, dim> v = minimise_unbounded(term, A, r, active, start);
+    if (!bound.is_beyond(v[n]))
+      return v;
+    return starts_at_bound ? v_at_bound : at_bound();
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  FaultFriction<dim>::minimise_unbounded(const Term                  &term,
+                                         const Tensor<2, dim>        &A,
+                                         const Tensor<1, dim>        &r,
+                                         const std::array<bool, dim> &active,
+                                         const Tensor<1, dim>        &start)
+  {
+    constexpr unsigned int n = normal_component<dim>;
 
     // Take the normal component out: there the functional is quadratic.
     Tensor<2, dim - 1>        A_t;

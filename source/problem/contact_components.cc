@@ -13,7 +13,8 @@ namespace StickSlip
   fixed_components(const MeshLevel<dim>                       &level,
                    const NodeMask                             &dirichlet,
                    const JumpBasis<dim>                       &basis,
-                   const std::vector<types::global_dof_index> &prescribed_slip)
+                   const std::vector<types::global_dof_index> &prescribed_slip,
+                   const std::vector<types::global_dof_index> &opening)
   {
     NodeMask mask = dirichlet;
     for (unsigned int b = 0; b < level.bodies.size(); ++b)
@@ -22,18 +23,19 @@ namespace StickSlip
     for (const auto p : basis.contact_nodes())
       if (std::binary_search(prescribed_slip.begin(), prescribed_slip.end(), p))
         mask.mask_node(p);
-      else
+      else if (!std::binary_search(opening.begin(), opening.end(), p))
         mask.mask(p, FaultAxes<dim>::normal_component);
     return mask;
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)         \
-  template NodeMask fixed_components<dim>( \
-    const MeshLevel<dim> &,                \
-    const NodeMask &,                      \
-    const JumpBasis<dim> &,                \
+#define STICKSLIP_INSTANTIATE(dim)                \
+  template NodeMask fixed_components<dim>(        \
+    const MeshLevel<dim> &,                       \
+    const NodeMask &,                             \
+    const JumpBasis<dim> &,                       \
+    const std::vector<types::global_dof_index> &, \
     const std::vector<types::global_dof_index> &);
 
   STICKSLIP_INSTANTIATE(2)

@@ -3,7 +3,7 @@
 
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/input_error.h>
-#include <stickslip/problem/contact_components.h>
+#include <stickslip/base/make_set.h>
 #include <stickslip/problem/contact_space.h>
 
 #include <algorithm>
@@ -70,7 +70,8 @@ namespace StickSlip
   ContactSpace<dim>::ContactSpace(const MeshHierarchy<dim>          &meshes,
                                   const std::vector<MaterialFields> &materials,
                                   const BoundaryValues<dim> &boundary_values,
-                                  const std::vector<SlipRates<dim>> &slip_rates)
+                                  const std::vector<SlipRates<dim>> &slip_rates,
+                                  const std::vector<OpeningParts<dim>> &opening)
     : mesh_hierarchy(meshes)
   {
     const MeshLevel<dim>     &finest = meshes.finest();
@@ -93,6 +94,47 @@ namespace StickSlip
                     [](const auto &rates) { return bool(rates); }))
       prescribed_slip =
         std::make_unique<PrescribedSlip<dim>>(meshes, sides, slip_rates);
+    find_openings(opening);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSpace<dim>::find_openings(
+    const std::vector<OpeningParts<dim>> &opening)
+  {
+    const unsigned int n_levels = mesh_hierarchy.n_levels();
+    opening_nodes.resize(n_levels);
+    for (unsigned int l = 0; l < n_levels; ++l)
+      {
+        std::vector<types::global_dof_index> &nodes = opening_nodes[l];
+        for (unsigned int f = 0; f < opening.size(); ++f)
+          {
+            if (!opening[f])
+              continue;
+            const FaultSurface<dim> &slave =
+              mesh_hierarchy.level(l).surface(f, sides[f].slave);
+            std::vector<bool> is_part(slave.nodes.size(), true);
+            if (l + 1 == n_levels)
+              is_part = opening[f](slave.points);
+            for (unsigned int k = 0; k < slave.nodes.size(); ++k)
+              if (is_part[k])
+                nodes.push_back(slave.nodes[k]);
+          }
+        make_set(nodes);
+        if (!prescribed_slip)
+          continue;
+        const auto &known = prescribed_slip->nodes(l);
+        nodes.erase(std::remove_if(nodes.begin(),
+                                   nodes.end(),
+                                   [&](const types::global_dof_index p) {
+                                     return std::binary_search(known.begin(),
+                                                               known.end(),
+                                                               p);
+                                   }),
+                    nodes.end());
+      }
   }
 
 
@@ -278,7 +320,8 @@ namespace StickSlip
                            dirichlet_masks[l],
                            bases[l],
                            prescribed_slip ? prescribed_slip->nodes(l) :
-                                             no_nodes)
+                                             no_nodes,
+                           opening_nodes[l])
             .local_part(level.nodes);
       }
   }
@@ -340,6 +383,25 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  ContactSpace<dim>::has_openings() const
+  {
+    return !opening_nodes.back().empty();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSpace<dim>::may_open(const types::global_dof_index node) const
+  {
+    const std::vector<types::global_dof_index> &nodes = opening_nodes.back();
+    return std::binary_search(nodes.begin(), nodes.end(), node);
+  }
+
+
+
+  template <int dim>
   void
   ContactSpace<dim>::to_jumps(NodalVector &w, const NodalVector &u) const
   {
@@ -386,7 +448,8 @@ namespace StickSlip
   {
     const LevelDescription<dim> &finest = levels.back();
     for (const unsigned int p : finest.nonsmooth_nodes)
-      w.local_element(p * dim + FaultAxes<dim>::normal_component) = 0.;
+      if (!may_open(finest.nodes.global_index(p)))
+        w.local_element(p * dim + FaultAxes<dim>::normal_component) = 0.;
     if (prescribed_slip)
       prescribed_slip->set_slip_rates(time, *finest_basis, finest.nodes, w);
   }

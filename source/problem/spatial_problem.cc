@@ -7,14 +7,15 @@ namespace StickSlip
 {
   template <int dim>
   SpatialProblem<dim>::SpatialProblem(
-    const MeshHierarchy<dim>          &meshes,
-    const std::vector<MaterialFields> &materials,
-    BoundaryValues<dim>               &boundary_values,
-    const Tensor<1, dim>              &gravity,
-    const bool                         with_inertia,
-    const std::vector<SlipRates<dim>> &slip_rates,
-    const BackgroundStress<dim>       &background_stress)
-    : ContactSpace<dim>(meshes, materials, boundary_values, slip_rates)
+    const MeshHierarchy<dim>             &meshes,
+    const std::vector<MaterialFields>    &materials,
+    BoundaryValues<dim>                  &boundary_values,
+    const Tensor<1, dim>                 &gravity,
+    const bool                            with_inertia,
+    const std::vector<SlipRates<dim>>    &slip_rates,
+    const BackgroundStress<dim>          &background_stress,
+    const std::vector<OpeningParts<dim>> &opening)
+    : ContactSpace<dim>(meshes, materials, boundary_values, slip_rates, opening)
     , EquationOfMotion<dim>(*this,
                             materials,
                             boundary_values,

@@ -31,7 +31,8 @@ namespace StickSlip
    * negative gradient is the frictional force on the slave side.
    *
    * The first d - 1 components of a node are tangential, the last one is
-   * normal to the fault and has no friction.
+   * normal to the fault and has no friction. Where a fault may open, it has a
+   * bound: the sides may part, at most the gap between them closes.
    *
    * Nodes of different faults may have different laws; the class knows nothing
    * of what the laws are. No function of the NonsmoothFunctional interface
@@ -78,6 +79,30 @@ namespace StickSlip
     set_damping(const std::vector<double> &damping);
 
     /**
+     * Say which nodes may open. @p signs: for each node the sign, 1 or -1, that
+     * the normal component has when the fault opens; 0 for nodes at which it
+     * has no bound, which is so everywhere without this call. To be called on
+     * all processes or on none. The bounds are zero until they are set.
+     */
+    void
+    set_opening(const std::vector<int> &signs);
+
+    /**
+     * Set the least rate of opening, the normal component times the sign of
+     * set_opening(), at each node, m/s; zero where the sides touch. Not looked
+     * at where the sign is zero.
+     */
+    void
+    set_opening_bounds(const std::vector<double> &bounds);
+
+    /**
+     * Return whether the sides touch at term @p k: whether the normal component
+     * is at its bound, bit for bit. True at nodes that cannot open.
+     */
+    bool
+    is_in_contact(const unsigned int k, const Tensor<1, dim> &v) const;
+
+    /**
      * The law at term @p k.
      */
     const FrictionLaw &
@@ -109,6 +134,18 @@ namespace StickSlip
     {
       return node_indices;
     }
+
+    /** True after set_opening(). */
+    bool
+    has_bounds() const override;
+
+    Tensor<1, dim>
+    project(const unsigned int k, const Tensor<1, dim> &v) const override;
+
+    bool
+    is_at_bound(const unsigned int    k,
+                const Tensor<1, dim> &v,
+                const unsigned int    component) const override;
 
     double
     value(const unsigned int k, const Tensor<1, dim> &v) const override;
@@ -147,7 +184,9 @@ namespace StickSlip
 
     /**
      * Eliminates the normal component, if it is active, and solves for the
-     * tangential ones with the functions of local_problem.h.
+     * tangential ones with the functions of local_problem.h. If the normal
+     * component is then beyond its bound, the minimiser has it there, since the
+     * problem is convex, and the tangential ones are solved for once more.
      */
     Tensor<1, dim>
     minimise(const unsigned int           k,
@@ -171,6 +210,28 @@ namespace StickSlip
       double damping;
     };
 
+    /** The bound of a normal component, which is at least, for a negative sign
+     * at most, this value; none if the sign is zero. */
+    struct Bound
+    {
+      double sign  = 0.;
+      double value = 0.;
+
+      bool
+      is_beyond(const double v_n) const
+      {
+        return sign * (v_n - value) < 0.;
+      }
+    };
+
+    /** The minimiser without a bound. */
+    static Tensor<1, dim>
+    minimise_unbounded(const Term                  &term,
+                       const Tensor<2, dim>        &A,
+                       const Tensor<1, dim>        &r,
+                       const std::array<bool, dim> &active,
+                       const Tensor<1, dim>        &start);
+
     /** The second derivative, of which the @p slope of the law is one part. */
     static Tensor<2, dim>
     hessian_with(const Term &term, const Tensor<1, dim> &v, const double slope);
@@ -180,6 +241,9 @@ namespace StickSlip
     const std::vector<std::shared_ptr<const FrictionLaw>> laws;
 
     std::vector<Term> terms;
+    /** One for each term, or none at all if no node may open. */
+    std::vector<Bound> bounds;
+    bool               has_openings = false;
   };
 } // namespace StickSlip
 

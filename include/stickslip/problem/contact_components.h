@@ -8,6 +8,7 @@
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/jump_basis.h>
 
+#include <functional>
 #include <vector>
 
 namespace StickSlip
@@ -15,16 +16,26 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * Which of some points of a fault in the reference configuration may open; an
+   * empty function where none may.
+   */
+  template <int dim>
+  using OpeningParts =
+    std::function<std::vector<bool>(const std::vector<Point<dim>> &)>;
+
+  /**
    * The components that never take part: those that @p dirichlet masks, those
-   * of hanging nodes, the normal jumps, which are zero, and the jumps at the
-   * nodes @p prescribed_slip (ascending). Over the global numbers of all nodes.
+   * of hanging nodes, the jumps at the nodes @p prescribed_slip, and the normal
+   * jumps, which are zero, but for those of the nodes @p opening (both
+   * ascending). Over the global numbers of all nodes.
    */
   template <int dim>
   NodeMask
   fixed_components(const MeshLevel<dim>                       &level,
                    const NodeMask                             &dirichlet,
                    const JumpBasis<dim>                       &basis,
-                   const std::vector<types::global_dof_index> &prescribed_slip);
+                   const std::vector<types::global_dof_index> &prescribed_slip,
+                   const std::vector<types::global_dof_index> &opening);
 } // namespace StickSlip
 
 #endif

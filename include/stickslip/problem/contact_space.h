@@ -11,6 +11,7 @@
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/mortar/secant_axes.h>
 #include <stickslip/multigrid/level_description.h>
+#include <stickslip/problem/contact_components.h>
 #include <stickslip/problem/rotation_coupling.h>
 
 #include <memory>
@@ -38,12 +39,14 @@ namespace StickSlip
   class ContactSpace
   {
   public:
-    /** @p materials in the order of the bodies; @p slip_rates: known slip
-     * rates, one entry a fault, or none at all. There are no bases yet. */
-    ContactSpace(const MeshHierarchy<dim>          &meshes,
-                 const std::vector<MaterialFields> &materials,
-                 const BoundaryValues<dim>         &boundary_values,
-                 const std::vector<SlipRates<dim>> &slip_rates);
+    /** @p materials in the order of the bodies; @p slip_rates, @p opening:
+     * known slip rates and what may open, one entry a fault, or none at all.
+     * Nodes whose slip rate is known do not open. There are no bases yet. */
+    ContactSpace(const MeshHierarchy<dim>             &meshes,
+                 const std::vector<MaterialFields>    &materials,
+                 const BoundaryValues<dim>            &boundary_values,
+                 const std::vector<SlipRates<dim>>    &slip_rates,
+                 const std::vector<OpeningParts<dim>> &opening);
 
     const MeshHierarchy<dim> &
     meshes() const;
@@ -57,6 +60,15 @@ namespace StickSlip
     const std::vector<std::optional<LargestGap>> &
     gaps() const;
 
+    /** Return whether some node may open. */
+    bool
+    has_openings() const;
+
+    /** Return whether the normal jump of a contact node of the finest level,
+     * given by its global number, is free, since the node may open. */
+    bool
+    may_open(const types::global_dof_index node) const;
+
     /** w = B^-1 u. Collective. */
     void
     to_jumps(NodalVector &w, const NodalVector &u) const;
@@ -69,8 +81,9 @@ namespace StickSlip
     NodalVector
     to_dual(const NodalVector &f) const;
 
-    /** Set what is known of a vector of the jump basis, m/s: zero normal jumps,
-     * and the slip rates that are prescribed at @p time. */
+    /** Set what is known of a vector of the jump basis, m/s: zero normal jumps
+     * at nodes that cannot open, and the slip rates that are prescribed at
+     * @p time. */
     void
     set_known_jumps(const double time, NodalVector &w) const;
 
@@ -130,6 +143,10 @@ namespace StickSlip
                  std::vector<FaultAxes<dim>>           &axes_now,
                  std::vector<FaultDisplacement<dim>>   &displacements) const;
 
+    /** Find opening_nodes. */
+    void
+    find_openings(const std::vector<OpeningParts<dim>> &opening);
+
     /** Set masks and nonsmooth nodes of all levels. */
     void
     describe(std::vector<LevelDescription<dim>> &levels,
@@ -145,6 +162,11 @@ namespace StickSlip
     std::vector<NodeFrames<dim>> boundary_frames;
     /** Null where friction acts on all faults. */
     std::unique_ptr<PrescribedSlip<dim>> prescribed_slip;
+    /** Slave nodes whose normal jumps are not fixed, level by level, ascending:
+     * on the finest level those that may open, on coarser ones all of their
+     * faults, since the masks of linear problems there follow from those of the
+     * finest level. */
+    std::vector<std::vector<types::global_dof_index>> opening_nodes;
 
     std::vector<std::optional<LargestGap>> largest_gaps;
 

@@ -22,13 +22,14 @@ namespace StickSlip
     /** Couples the faults as they are without displacement; for the arguments
      * see ContactSpace and EquationOfMotion. Throws InputError if a background
      * stress has no value at a node. */
-    SpatialProblem(const MeshHierarchy<dim>          &meshes,
-                   const std::vector<MaterialFields> &materials,
-                   BoundaryValues<dim>               &boundary_values,
-                   const Tensor<1, dim>              &gravity,
-                   const bool                         with_inertia      = true,
-                   const std::vector<SlipRates<dim>> &slip_rates        = {},
-                   const BackgroundStress<dim>       &background_stress = {});
+    SpatialProblem(const MeshHierarchy<dim>             &meshes,
+                   const std::vector<MaterialFields>    &materials,
+                   BoundaryValues<dim>                  &boundary_values,
+                   const Tensor<1, dim>                 &gravity,
+                   const bool                            with_inertia = true,
+                   const std::vector<SlipRates<dim>>    &slip_rates   = {},
+                   const BackgroundStress<dim>          &background_stress = {},
+                   const std::vector<OpeningParts<dim>> &opening = {});
 
     SpatialProblem(const SpatialProblem &) = delete;
 

@@ -24,10 +24,11 @@ namespace StickSlip
    * the position @p k of a term in nodes().
    *
    * A term may be infinite outside a closed convex domain, such as that of an
-   * obstacle. The solver keeps to the domain by project() and minimise(). All
-   * other functions are asked for points of the domain only, and are those of
-   * the finite function which phi_k is there; at the boundary of the domain,
-   * is_smooth() is false.
+   * obstacle: has_bounds() says so. The solver keeps to the domain by project()
+   * and minimise(), and takes components out of its linear corrections where
+   * they are at a bound, is_at_bound(). All other functions are asked for
+   * points of the domain only, and are those of the finite function which phi_k
+   * is there.
    */
   template <int n_components>
   class NonsmoothFunctional
@@ -43,11 +44,28 @@ namespace StickSlip
     nodes() const = 0;
 
     /**
+     * Return whether some term has a domain, on this process or on another one;
+     * project() and is_at_bound() are not asked otherwise. By default none has.
+     */
+    virtual bool
+    has_bounds() const;
+
+    /**
      * The point of the domain of phi_k next to v, and v itself if that is in
-     * the domain; by default all points are.
+     * the domain.
      */
     virtual Tensor<1, n_components>
     project(const unsigned int k, const Tensor<1, n_components> &v) const;
+
+    /**
+     * Return whether a component of a point of the domain is at its boundary,
+     * bit for bit as project() and minimise() put it there: linear corrections
+     * do not change it.
+     */
+    virtual bool
+    is_at_bound(const unsigned int             k,
+                const Tensor<1, n_components> &v,
+                const unsigned int             component) const;
 
     /**
      * The value phi_k(v).
@@ -100,8 +118,9 @@ namespace StickSlip
     is_smooth(const unsigned int k, const Tensor<1, n_components> &v) const = 0;
 
     /**
-     * True if phi_k depends on this component of the node's unknown. The
-     * components it does not depend on are never truncated.
+     * True if phi_k, but for its domain, depends on this component of the
+     * node's unknown. The components it does not depend on are truncated at
+     * their bounds only.
      */
     virtual bool
     acts_on(const unsigned int k, const unsigned int component) const = 0;
@@ -128,12 +147,33 @@ namespace StickSlip
 
 
   template <int n_components>
+  bool
+  NonsmoothFunctional<n_components>::has_bounds() const
+  {
+    return false;
+  }
+
+
+
+  template <int n_components>
   Tensor<1, n_components>
   NonsmoothFunctional<n_components>::project(
     const unsigned int,
     const Tensor<1, n_components> &v) const
   {
     return v;
+  }
+
+
+
+  template <int n_components>
+  bool
+  NonsmoothFunctional<n_components>::is_at_bound(
+    const unsigned int,
+    const Tensor<1, n_components> &,
+    const unsigned int) const
+  {
+    return false;
   }
 
 
