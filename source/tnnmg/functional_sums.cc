@@ -64,6 +64,8 @@ namespace StickSlip
           const std::vector<unsigned int>         &nodes,
           NodalVector                             &w)
   {
+    if (!functional.has_bounds())
+      return;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> v =
@@ -76,27 +78,27 @@ namespace StickSlip
 
 
   template <int n_components>
-  bool
+  std::vector<BoundComponent>
   project_step(const NonsmoothFunctional<n_components> &functional,
                const std::vector<unsigned int>         &nodes,
                const NodalVector                       &w,
                NodalVector                             &d)
   {
-    unsigned int n_shortened = 0;
+    std::vector<BoundComponent> shortened;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> v = block<n_components>(w, nodes[k]);
         const Tensor<1, n_components> goal =
           v + block<n_components>(d, nodes[k]);
         const Tensor<1, n_components> next = functional.project(k, goal);
-        if (next != goal)
-          {
-            ++n_shortened;
-            for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
+          if (next[c] != goal[c])
+            {
               d.local_element(nodes[k] * n_components + c) = next[c] - v[c];
-          }
+              shortened.push_back({nodes[k], c, next[c]});
+            }
       }
-    return Utilities::MPI::sum(n_shortened, w.get_mpi_communicator()) > 0;
+    return shortened;
   }
 
 
@@ -125,17 +127,18 @@ namespace StickSlip
            const NodalVector                       &d,
            const double                             t)
   {
-    double sum = 0;
+    const bool has_bounds = functional.has_bounds();
+    double     sum        = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const Tensor<1, n_components> direction =
           block<n_components>(d, nodes[k]);
-        sum += functional.directional_derivative(
-          k,
-          // Rounding may lead out of the domain.
-          functional.project(k,
-                             block<n_components>(w, nodes[k]) + t * direction),
-          direction);
+        Tensor<1, n_components> v =
+          block<n_components>(w, nodes[k]) + t * direction;
+        // Rounding may lead out of the domain.
+        if (has_bounds)
+          v = functional.project(k, v);
+        sum += functional.directional_derivative(k, v, direction);
       }
     return Utilities::MPI::sum(sum, w.get_mpi_communicator());
   }
@@ -172,6 +175,7 @@ namespace StickSlip
             NodeMask                                   &active)
   {
     AssertDimension(diagonal_blocks.size(), nodes.size());
+    const bool   has_bounds  = functional.has_bounds();
     unsigned int n_truncated = 0;
     hessians.assign(nodes.size(), Tensor<2, n_components>());
     for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -212,46 +216,53 @@ namespace StickSlip
                   ++n_truncated;
                 }
           }
+        if (has_bounds)
+          for (unsigned int c = 0; c < n_components; ++c)
+            if (active.is_active(i, c) && functional.is_at_bound(k, v, c))
+              {
+                active.mask(i, c);
+                ++n_truncated;
+              }
       }
     return n_truncated;
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components)       \
-  template void project<n_components>(            \
-    const NonsmoothFunctional<n_components> &,    \
-    const std::vector<unsigned int> &,            \
-    NodalVector &);                               \
-  template bool project_step<n_components>(       \
-    const NonsmoothFunctional<n_components> &,    \
-    const std::vector<unsigned int> &,            \
-    const NodalVector &,                          \
-    NodalVector &);                               \
-  template double increase<n_components>(         \
-    const NonsmoothFunctional<n_components> &,    \
-    const std::vector<unsigned int> &,            \
-    const NodalVector &,                          \
-    const NodalVector &);                         \
-  template double slope_of<n_components>(         \
-    const NonsmoothFunctional<n_components> &,    \
-    const std::vector<unsigned int> &,            \
-    const NodalVector &,                          \
-    const NodalVector &,                          \
-    const double);                                \
-  template void subtract_gradient<n_components>(  \
-    const NonsmoothFunctional<n_components> &,    \
-    const std::vector<unsigned int> &,            \
-    const NodalVector &,                          \
-    NodalVector &);                               \
-  template unsigned int linearise<n_components>(  \
-    const NonsmoothFunctional<n_components> &,    \
-    const std::vector<unsigned int> &,            \
-    const TNNMGParameters &,                      \
-    const std::vector<Tensor<2, n_components>> &, \
-    const NodalVector &,                          \
-    const NodalVector &,                          \
-    std::vector<Tensor<2, n_components>> &,       \
+#define STICKSLIP_INSTANTIATE(n_components)                        \
+  template void project<n_components>(                             \
+    const NonsmoothFunctional<n_components> &,                     \
+    const std::vector<unsigned int> &,                             \
+    NodalVector &);                                                \
+  template std::vector<BoundComponent> project_step<n_components>( \
+    const NonsmoothFunctional<n_components> &,                     \
+    const std::vector<unsigned int> &,                             \
+    const NodalVector &,                                           \
+    NodalVector &);                                                \
+  template double increase<n_components>(                          \
+    const NonsmoothFunctional<n_components> &,                     \
+    const std::vector<unsigned int> &,                             \
+    const NodalVector &,                                           \
+    const NodalVector &);                                          \
+  template double slope_of<n_components>(                          \
+    const NonsmoothFunctional<n_components> &,                     \
+    const std::vector<unsigned int> &,                             \
+    const NodalVector &,                                           \
+    const NodalVector &,                                           \
+    const double);                                                 \
+  template void subtract_gradient<n_components>(                   \
+    const NonsmoothFunctional<n_components> &,                     \
+    const std::vector<unsigned int> &,                             \
+    const NodalVector &,                                           \
+    NodalVector &);                                                \
+  template unsigned int linearise<n_components>(                   \
+    const NonsmoothFunctional<n_components> &,                     \
+    const std::vector<unsigned int> &,                             \
+    const TNNMGParameters &,                                       \
+    const std::vector<Tensor<2, n_components>> &,                  \
+    const NodalVector &,                                           \
+    const NodalVector &,                                           \
+    std::vector<Tensor<2, n_components>> &,                        \
     NodeMask &);
 
   STICKSLIP_INSTANTIATE(1)

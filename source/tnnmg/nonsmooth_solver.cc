@@ -3,7 +3,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/line_search.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
@@ -97,10 +96,8 @@ namespace StickSlip
                                                         active),
                                               w.get_mpi_communicator());
 
-    active.apply(force);
-    summary.cycles = correct(hessians, active, correction, A_correction, force);
-    if (project_step(functional, nodes, w, correction))
-      vmult(A_correction, correction);
+    std::vector<BoundComponent> at_bound;
+    summary.cycles = find_correction(functional, w, force, at_bound);
 
     const double linear = correction * new_residual;
     const double square = correction * A_correction;
@@ -121,6 +118,10 @@ namespace StickSlip
         smoothed              = w;
         w.add(t, correction);
         project(functional, nodes, w);
+        if (t == 1.)
+          for (const BoundComponent &bound : at_bound)
+            w.local_element(bound.node * n_components + bound.component) =
+              bound.value;
         summary.correction_decrease = t * linear - 0.5 * t * t * square -
                                       increase(functional, nodes, w, smoothed);
         new_residual.add(-t, A_correction);
@@ -139,6 +140,72 @@ namespace StickSlip
     A_w -= residual;
     summary.iterate_norm = std::sqrt(std::abs(square_of_rest + w * A_w));
     return summary;
+  }
+
+
+
+  template <int n_components>
+  unsigned int
+  NonsmoothSolver<n_components>::find_correction(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &w,
+    NodalVector                             &force,
+    std::vector<BoundComponent>             &at_bound)
+  {
+    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
+    active.apply(force);
+    if (!functional.has_bounds())
+      return correct(hessians, active, correction, A_correction, force);
+
+    NodalVector  right_hand_side = force;
+    unsigned int cycles =
+      correct(hessians, active, correction, A_correction, force);
+    at_bound          = project_step(functional, nodes, w, correction);
+    const auto on_any = [&](const bool condition) {
+      return Utilities::MPI::max(int(condition), w.get_mpi_communicator()) > 0;
+    };
+    if (!on_any(!at_bound.empty()))
+      return cycles;
+
+    // Components that are shortened keep their corrections, and the others are
+    // found anew for them.
+    NodalVector given = correction;
+    given             = 0.;
+    for (const BoundComponent &bound : at_bound)
+      {
+        const unsigned int i   = bound.node * n_components + bound.component;
+        given.local_element(i) = correction.local_element(i);
+        active.mask(bound.node, bound.component);
+      }
+    NodalVector A_given = given;
+    vmult(A_given, given);
+    right_hand_side -= A_given;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const Tensor<1, n_components> change =
+          hessians[k] * block<n_components>(given, nodes[k]);
+        for (unsigned int c = 0; c < n_components; ++c)
+          right_hand_side.local_element(nodes[k] * n_components + c) -=
+            change[c];
+      }
+    active.apply(right_hand_side);
+    cycles +=
+      correct(hessians, active, correction, A_correction, right_hand_side);
+    correction += given;
+    A_correction += A_given;
+
+    bool is_shortened = false;
+    for (const BoundComponent &bound :
+         project_step(functional, nodes, w, correction))
+      // The others of them are beyond their bounds by rounding only.
+      if (active.is_active(bound.node, bound.component))
+        {
+          at_bound.push_back(bound);
+          is_shortened = true;
+        }
+    if (on_any(is_shortened))
+      vmult(A_correction, correction);
+    return cycles;
   }
 
 

@@ -28,18 +28,27 @@ namespace StickSlip
     return values;
   }
 
-  /** Move @p w to the next point of the domain of phi. Not collective. */
+  /** Move @p w to the next point of the domain of phi; nothing is done if phi
+   * has no bounds. Not collective. */
   template <int n_components>
   void
   project(const NonsmoothFunctional<n_components> &functional,
           const std::vector<unsigned int>         &nodes,
           NodalVector                             &w);
 
+  /** A component that a step takes to a bound: its node, and its value there,
+   * which adding the step may miss by rounding. */
+  struct BoundComponent
+  {
+    unsigned int node, component;
+    double       value;
+  };
+
   /** Shorten @p d so that w + d is that point of the domain of phi which is
-   * next to the original w + d. Returns whether there was anything to shorten,
-   * on any process. */
+   * next to the original w + d. Returns what was shortened on this process; not
+   * collective. */
   template <int n_components>
-  bool
+  std::vector<BoundComponent>
   project_step(const NonsmoothFunctional<n_components> &functional,
                const std::vector<unsigned int>         &nodes,
                const NodalVector                       &w,
@@ -75,12 +84,12 @@ namespace StickSlip
   /**
    * The curvature of phi at w, a block for each of its nodes
    * (NonsmoothFunctional::secant_hessian() with @p force, the negative
-   * gradient of J), and the truncation: all components of a node that phi
-   * depends on are masked in @p active, which holds those that are not fixed
-   * at first, where phi is not smooth or the least curvature of the node
-   * exceeds parameters.truncation_factor times the diagonal of A,
-   * @p diagonal_blocks. Without nonlinear smoothing it is the second
-   * derivative of phi, and only those are truncated where there is none.
+   * gradient of J), and the truncation: masked in @p active, which holds those
+   * that are not fixed at first, are the components at a bound, and all
+   * components of a node that phi depends on where phi is not smooth or the
+   * least curvature of the node exceeds parameters.truncation_factor times the
+   * diagonal of A, @p diagonal_blocks. Without nonlinear smoothing it is the
+   * second derivative of phi, and only those are truncated where there is none.
    *
    * Returns the number of truncated components of this process; not
    * collective.

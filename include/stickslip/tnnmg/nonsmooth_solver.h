@@ -5,6 +5,7 @@
 #define stickslip_tnnmg_nonsmooth_solver_h
 
 #include <stickslip/algebra/operator_sum.h>
+#include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/iteration_summary.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 #include <stickslip/tnnmg/solver_parameters.h>
@@ -22,8 +23,9 @@ namespace StickSlip
    *
    *   1. a sweep of nonlinear Gauss-Seidel,
    *   2. truncation of the components at which phi is not smooth enough,
-   *   3. a correction for the linearisation on the rest, projected onto the
-   *      domain of phi,
+   *   3. a correction for the linearisation on the rest, which may end at
+   *      bounds of phi, but not beyond: where it would, it is shortened, and
+   *      what belongs to it in the other components is found once more,
    *   4. a line search.
    *
    * Derived classes know A, or what is left of it where only some of the
@@ -53,7 +55,9 @@ namespace StickSlip
 
     /**
      * Announce a sequence of single iterations from @p w with right hand side
-     * @p b, between which the functional may change. Throws SingularMatrix.
+     * @p b, between which the functional may change, and w as well where it has
+     * bounds: it is for the caller to project() it onto the domain. Throws
+     * SingularMatrix.
      */
     virtual void
     start(const NodalVector &b, const NodalVector &w) = 0;
@@ -126,6 +130,15 @@ namespace StickSlip
            const NodalVector                       &b,
            NodalVector                             &w,
            IterationSummary                        &summary);
+
+    /** Step 3, to be followed from the iterate @p w, with its new_residual;
+     * @p force: the negative gradient of J there, overwritten. Returns the
+     * cycles spent, and gives the components that get to a bound. */
+    unsigned int
+    find_correction(const NonsmoothFunctional<n_components> &functional,
+                    const NodalVector                       &w,
+                    NodalVector                             &force,
+                    std::vector<BoundComponent>             &at_bound);
 
     NodeMask                             active;
     std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
