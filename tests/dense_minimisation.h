@@ -83,6 +83,19 @@ namespace StickSlip::Reference
 
 
   /**
+   * The condition that the last component of a node, times the sign, is at
+   * least this value.
+   */
+  struct Bound
+  {
+    unsigned int node;
+    int          sign;
+    Real         value;
+  };
+
+
+
+  /**
    * The value of the functional, and a bound for the sums it consists of, by
    * which rounding is measured.
    */
@@ -177,13 +190,16 @@ namespace StickSlip::Reference
   class DenseProblem
   {
   public:
-    /** The components that are not free have the values of @p given. */
-    DenseProblem(const BlockMatrix<dim>  &A,
-                 const NodeMask          &fixed,
-                 const NodalVector       &b,
-                 const NodalVector       &given,
-                 const std::vector<Term> &terms)
+    /** The components that are not free have the values of @p given; the
+     * @p bounds are those of free ones. */
+    DenseProblem(const BlockMatrix<dim>   &A,
+                 const NodeMask           &fixed,
+                 const NodalVector        &b,
+                 const NodalVector        &given,
+                 const std::vector<Term>  &terms,
+                 const std::vector<Bound> &bounds = {})
       : terms(terms)
+      , bounds(bounds)
     {
       const BlockSparsity      &sparsity = A.sparsity();
       std::vector<unsigned int> position(sparsity.n_rows() * dim, -1);
@@ -215,6 +231,8 @@ namespace StickSlip::Reference
       for (const Term &term : terms)
         for (unsigned int c = 0; c + 1 < dim; ++c)
           tangential.push_back(position[term.node * dim + c]);
+      for (const Bound &bound : bounds)
+        bounded.push_back(position[bound.node * dim + dim - 1]);
       factor = matrix;
       factorise(factor);
     }
@@ -268,32 +286,39 @@ namespace StickSlip::Reference
           for (unsigned int c = 0; c + 1 < dim && V > 0; ++c)
             g[t[c]] -= terms[k].force(std::log(V)) * v[t[c]] / V;
         }
+      // At a bound there is a reaction.
+      for (unsigned int k = 0; k < bounds.size(); ++k)
+        if (bounds[k].sign * v[bounded[k]] == bounds[k].value &&
+            bounds[k].sign * g[bounded[k]] < 0)
+          g[bounded[k]] = 0;
       return energy_norm(solve(factor, g));
     }
 
 
 
     /**
-     * The minimiser: condensation onto the components with a term, and there
-     * Gauss-Seidel until nothing moves any more.
+     * The minimiser: condensation onto the components with a term or a bound,
+     * and there Gauss-Seidel until nothing moves any more.
      */
     std::vector<Real>
     minimise() const
     {
       static_assert(dim == 2, "One tangential component a node");
       // The inverse of the Schur complement is a part of the inverse.
-      const unsigned int             n = terms.size();
+      std::vector<unsigned int> kept = tangential;
+      kept.insert(kept.end(), bounded.begin(), bounded.end());
+      const unsigned int             n = kept.size();
       std::vector<std::vector<Real>> responses, S;
       for (unsigned int k = 0; k < n; ++k)
         {
           std::vector<Real> unit(free.size());
-          unit[tangential[k]] = 1;
+          unit[kept[k]] = 1;
           responses.push_back(solve(factor, unit));
         }
       std::vector<std::vector<Real>> F(n, std::vector<Real>(n));
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int m = 0; m < n; ++m)
-          F[k][m] = responses[m][tangential[k]];
+          F[k][m] = responses[m][kept[k]];
       factorise(F);
       for (unsigned int k = 0; k < n; ++k)
         {
@@ -305,7 +330,7 @@ namespace StickSlip::Reference
       std::vector<Real>       j(n), load(n);
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int m = 0; m < n; ++m)
-          load[k] += S[k][m] * frictionless[tangential[m]];
+          load[k] += S[k][m] * frictionless[kept[m]];
 
       Real change = 1, size = 0;
       for (unsigned int sweep = 0; sweep < 10000 && change > 1e-17L * size;
@@ -318,7 +343,7 @@ namespace StickSlip::Reference
               for (unsigned int m = 0; m < n; ++m)
                 if (m != k)
                   r -= S[k][m] * j[m];
-              const Real v = terms[k].minimiser(S[k][k], r);
+              const Real v = minimiser(k, S[k][k], r);
               change       = std::max(change, std::abs(v - j[k]));
               size         = std::max(size, std::abs(v));
               j[k]         = v;
@@ -336,7 +361,7 @@ namespace StickSlip::Reference
             v[i] += responses[k][i] * force;
         }
       for (unsigned int k = 0; k < n; ++k)
-        v[tangential[k]] = j[k];
+        v[kept[k]] = j[k];
       return v;
     }
 
@@ -344,8 +369,19 @@ namespace StickSlip::Reference
     std::vector<unsigned int> tangential;
 
   private:
+    /** The minimiser of c/2 v^2 - r v for the k-th component that is kept. */
+    Real
+    minimiser(const unsigned int k, const Real c, const Real r) const
+    {
+      if (k < terms.size())
+        return terms[k].minimiser(c, r);
+      const Bound &bound = bounds[k - terms.size()];
+      return bound.sign * std::max(bound.sign * r / c, bound.value);
+    }
+
     const std::vector<Term>        terms;
-    std::vector<unsigned int>      free;
+    const std::vector<Bound>       bounds;
+    std::vector<unsigned int>      free, bounded;
     std::vector<std::vector<Real>> matrix, factor;
     std::vector<Real>              rhs;
   };
