@@ -34,8 +34,11 @@ namespace StickSlip::Tests
     BoundaryValues<dim> boundary;
     SpatialProblem<dim> problem;
 
+    /** Faults open not at all, everywhere, or only between x = 0.3 m and
+     * 2.2 m. */
     OpeningLayers(const std::vector<BodyGeometry<dim>> &bodies,
                   const bool                            opens,
+                  const bool                            opens_in_part = false,
                   const MPI_Comm     communicator          = MPI_COMM_WORLD,
                   const unsigned int min_nodes_per_process = 500)
       : meshes(stack<dim>(bodies), communicator, min_nodes_per_process)
@@ -51,8 +54,12 @@ namespace StickSlip::Tests
                 {},
                 std::vector<OpeningParts<dim>>(
                   opens ? bodies.size() - 1 : 0,
-                  [](const std::vector<Point<dim>> &points) {
-                    return std::vector<bool>(points.size(), true);
+                  [opens_in_part](const std::vector<Point<dim>> &points) {
+                    std::vector<bool> opens;
+                    for (const Point<dim> &x : points)
+                      opens.push_back(!opens_in_part ||
+                                      (x[0] > 0.3 && x[0] < 2.2));
+                    return opens;
                   }))
     {}
 
