@@ -59,9 +59,9 @@ obstacle_height(const Point<2> &x)
 
 
 // The functional phi: what the solver must know of it are the domain, to which
-// it projects its corrections, where it is smooth, the derivatives there, and
-// the minimiser for a single node. Inside the domain phi is zero, and so are
-// its derivatives; where the membrane lies on the obstacle, it is not smooth.
+// it projects its corrections, where a value is at its bound, the derivatives,
+// and the minimiser for a single node. In the domain phi is zero, and so are
+// its derivatives.
 class ObstacleFunctional : public NonsmoothFunctional<1>
 {
 public:
@@ -77,16 +77,25 @@ public:
     return numbers;
   }
 
+  bool
+  has_bounds() const override
+  {
+    return true;
+  }
+
   Tensor<1, 1>
   project(const unsigned int k, const Tensor<1, 1> &v) const override
   {
     return Tensor<1, 1>({std::max(v[0], heights[k])});
   }
 
+  // The membrane lies on the obstacle.
   bool
-  is_smooth(const unsigned int k, const Tensor<1, 1> &v) const override
+  is_at_bound(const unsigned int  k,
+              const Tensor<1, 1> &v,
+              const unsigned int) const override
   {
-    return v[0] > heights[k];
+    return v[0] == heights[k];
   }
 
   // Minimise 1/2 A v^2 - r v over v >= psi.
@@ -103,9 +112,15 @@ public:
   }
 
   bool
-  acts_on(const unsigned int, const unsigned int) const override
+  is_smooth(const unsigned int, const Tensor<1, 1> &) const override
   {
     return true;
+  }
+
+  bool
+  acts_on(const unsigned int, const unsigned int) const override
+  {
+    return false;
   }
 
   double
