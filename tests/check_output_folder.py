@@ -24,6 +24,8 @@ FAULT_COLUMNS = ["max_slip_rate", "mean_slip_rate", "min_slip_rate"]
 FAULT_COLUMNS += ["mean_slip", "mean_state", "mean_shear_traction"]
 EVENT_COLUMNS = ["fault", "start", "peak_time", "end", "peak_mean_slip_rate"]
 EVENT_COLUMNS += ["peak_slip_rate", "mean_slip", "nucleation_x"]
+OPENING_COLUMNS = ["fault", "opens", "peak_time", "closes", "largest_gap"]
+OPENING_COLUMNS += ["largest_open_area", "begins_x", "widest_x"]
 FIELDS = ["slip", "slip_rate", "shear_traction", "normal_stress", "state"]
 PRECISION = 1e-12
 
@@ -48,7 +50,11 @@ def check_time_series(folder, faults, summary):
     """Yield the contradictions in the table; its last row is returned."""
     with open(folder / "time_series.csv", newline="") as file:
         header, *rows = list(csv.reader(file))
-    expected = COLUMNS + [f"{f}.{column}" for f in faults for column in FAULT_COLUMNS]
+    expected = list(COLUMNS)
+    for fault in faults:
+        may_open = f"{fault}.open_area" in header
+        columns = FAULT_COLUMNS + (["largest_gap", "open_area"] if may_open else [])
+        expected += [f"{fault}.{column}" for column in columns]
     if header != expected:
         yield f"time_series.csv has the columns {header}"
         return
@@ -111,6 +117,14 @@ def check_faults(folder, faults):
                 "mean_state": group["state"][-1],
                 "mean_shear_traction": group["shear_traction"][-1],
             }
+            if f"{name}.open_area" in row:
+                gap = group["gap"][-1] * (weight > 0)
+                if gap.min() < 0 or gap.max() != row[f"{name}.largest_gap"]:
+                    yield f"{name}: gaps up to {gap.max()} in the last record"
+                if not is_near(weight[gap > 0].sum(), row[f"{name}.open_area"]):
+                    yield f"{name}: not the open area of the last record"
+                if (group["contact_state"][-1][gap > 0] != 0).any():
+                    yield f"{name}: open nodes have another contact state"
             if times[-1] != row["time"]:
                 yield f"{name}: the last record is of t = {times[-1]}"
             for column, values in mean.items():
@@ -161,6 +175,28 @@ def check_events(folder, faults, summary):
             yield f"the event {row} is out of order"
 
 
+def check_openings(folder, faults, summary):
+    row = last_row(folder)
+    may_open = [f for f in faults if row is not None and f"{f}.open_area" in row]
+    if (folder / "openings.csv").is_file() != bool(may_open):
+        yield f"openings.csv does not fit to {may_open}, which may open"
+        return
+    if not may_open:
+        return
+    with open(folder / "openings.csv", newline="") as file:
+        header, *rows = list(csv.reader(file))
+    if header != OPENING_COLUMNS:
+        yield f"openings.csv has the columns {header}"
+    for fault in may_open:
+        count = sum(row[0] == fault for row in rows)
+        if str(count) != summary["Openings"][fault]:
+            yield f"{fault}: {count} openings, {summary['Openings'][fault]} in summary.txt"
+    for row in rows:
+        opens, peak, closes, largest = map(float, row[1:5])
+        if not opens <= peak or closes < peak or not largest > 0:
+            yield f"the opening {row} is out of order"
+
+
 def check(folder, faults):
     """Yield a sentence for each contradiction."""
     for name in ("parameters.prm", "summary.txt", "time_series.csv", "events.csv"):
@@ -172,6 +208,7 @@ def check(folder, faults):
     yield from check_faults(folder, faults)
     yield from check_fields(folder)
     yield from check_events(folder, faults, summary)
+    yield from check_openings(folder, faults, summary)
     leftovers = [path.name for path in folder.iterdir() if path.suffix == ".tmp"]
     if leftovers:
         yield f"left over: {leftovers}"

@@ -8,7 +8,7 @@ Usage: check_plot_run.py PLOT_RUN [OUTPUT_DIRECTORY]
 Writes the files of a made-up run, with periodic events that start in the
 middle of the fault, and has them drawn; likewise a run without events, one of a
 level fault as older files have it, one of a ring, several faults in one figure,
-and faults in three dimensions. Ways along strike and down dip are compared with
+faults that open, and faults in three dimensions. Ways along strike and down dip are compared with
 those on a cylinder. A missing file must give one sentence and status 1. With
 OUTPUT_DIRECTORY the made-up run is kept there.
 """
@@ -48,6 +48,12 @@ def slip_rate(t, x):
     return background + 2e-2 * np.exp(-((distance - 0.02) / 0.01) ** 2)
 
 
+def gap(t, x):
+    """A blister that grows from the middle and closes again, twice."""
+    height = np.maximum(0, np.sin(2 * np.pi * t / 20.0)) ** 2
+    return 1e-4 * np.maximum(0, height[:, None] - (x / 1.5) ** 2)
+
+
 def curve(shape, x):
     """Positions, axes and ways along a fault in two dimensions, by x."""
     if shape == "ring":
@@ -76,7 +82,16 @@ def surface(dip, x):
     return points, np.array(faces), np.tile(axes, (len(points), 1, 1))
 
 
-def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip=0.0):
+def write_openings(directory, names):
+    with open(directory / "openings.csv", "w", encoding="utf-8") as file:
+        file.write("fault,opens,peak_time,closes,largest_gap,largest_open_area,"
+                   "begins_x,widest_x\n")
+        for name in names:
+            file.write(f"{name},0,5,10,1e-4,3,0,0\n{name},20,25,nan,1e-4,3,0,0\n")
+
+
+def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip=0.0,
+              opens=False):
     x = np.linspace(-2.5, 2.5, 41)
     t = np.concatenate((
         np.linspace(0.0, FIRST, 100, endpoint=False),
@@ -96,8 +111,14 @@ def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip
         rate.max(axis=1), rate.mean(axis=1), rate.min(axis=1), 2e-4 * t,
         1.0 + 0 * t, 2.5e4 + 0 * t,
     ), axis=1)
+    columns = FAULT_SERIES
+    if opens:
+        gaps = gap(t, points[:, 0])
+        values = np.column_stack((values, gaps.max(axis=1), (gaps > 0) @ weight))
+        columns += ("largest_gap", "open_area")
+        write_openings(directory, names)
     with open(directory / "time_series.csv", "w", encoding="utf-8") as file:
-        columns = [f"{fault}.{name}" for fault in names for name in FAULT_SERIES]
+        columns = [f"{fault}.{name}" for fault in names for name in columns]
         file.write(",".join([SERIES] + columns) + "\n")
         for i, row in enumerate(values):
             step = t[i] - t[i - 1] if i else 1e-3
@@ -109,8 +130,7 @@ def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip
             file.write(f"{FAULT},{start},{start + 0.05},{start + 0.13},5e-3,2e-2,"
                        "3e-4,0\n")
 
-    shape = rate.shape + ((dim - 1,) if dim == 3 else ())
-    vectors = np.zeros(shape)
+    vectors = np.zeros(rate.shape + ((dim - 1,) if dim == 3 else ()))
     if dim == 3:
         vectors[..., 0] = rate
     else:
@@ -124,6 +144,8 @@ def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip
             group["shear_traction"] = 1e3 * vectors
             group["state"] = np.ones(rate.shape)
             group["normal_stress"] = np.full(rate.shape, 4.9e4)
+            if opens:
+                group["gap"] = gaps
             if shape == "old":
                 continue
             group["faces"], group["axes"] = faces, axes
@@ -194,6 +216,7 @@ def main():
             {}, {"with_events": False}, {"shape": "old"}, {"shape": "ring"},
             {"shape": "ring", "n_faults": 3}, {"dim": 3}, {"dim": 3, "dip": 0.5},
             {"dim": 3, "dip": np.pi / 2, "with_events": False},
+            {"opens": True, "n_faults": 2}, {"dim": 3, "opens": True},
         )):
             directory = pathlib.Path(name, str(i))
             directory.mkdir()
@@ -208,7 +231,7 @@ def main():
             (directory / "faults.h5").unlink(missing_ok=True)
     if len(sys.argv) > 2:
         pathlib.Path(sys.argv[2]).mkdir(parents=True, exist_ok=True)
-        write_run(pathlib.Path(sys.argv[2]))
+        write_run(pathlib.Path(sys.argv[2]), opens=True)
     errors = [error for error in errors if error]
     print("\n".join(errors) or "All figures drawn.")
     return 1 if errors else 0

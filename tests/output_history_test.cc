@@ -43,6 +43,9 @@ namespace
         fault.normal_stress.push_back(1e4 + vector[0]);
         fault.state.push_back(vector[0] + 0.5);
         fault.contact_pressure.push_back(2e4 + vector[0]);
+        fault.gap.push_back(4e4 + vector[0]);
+        fault.opening_rate.push_back(5e4 + vector[0]);
+        fault.contact_state.push_back(ContactState(p % 4));
         fault.positions.push_back((1. + record) * point);
       }
     return fault;
@@ -190,6 +193,9 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
     {"state", "s"},
     {"contact_pressure", "Pa"},
     {"contact_weight", "m"},
+    {"gap", "m"},
+    {"opening_rate", "m/s"},
+    {"contact_state", "1"},
     {"position", "m"},
     {"faces", "1"},
     {"axes", "1"},
@@ -218,6 +224,9 @@ TEST(FaultHistory, GivesBackWhatWasWritten)
   EXPECT_EQ(read_array(file, "lower/contact_pressure").values[4 * 7 + 2],
             20702);
   EXPECT_EQ(read_array(file, "lower/contact_weight").values[4 * 7 + 2], 2.5);
+  EXPECT_EQ(read_array(file, "lower/gap").values[4 * 7 + 2], 40702);
+  EXPECT_EQ(read_array(file, "lower/opening_rate").values[4 * 7 + 2], 50702);
+  EXPECT_EQ(read_array(file, "lower/contact_state").values[4 * 7 + 3], 3);
   const Array position = read_array(file, "lower/position");
   ASSERT_EQ(position.shape, (std::vector<hsize_t>{n_records, 4, 2}));
   EXPECT_EQ(position.values[2 * (4 * 7 + 2) + 1], 8 * 2.1);
@@ -278,6 +287,30 @@ TEST(FaultHistory, HoldsWhatIsAskedFor)
   // With coordinates, weight, time, faces, axes and arc length.
   EXPECT_EQ(info.nlinks, 7u);
   EXPECT_EQ(read_array(file, "main/state").values.back(), 102.5);
+}
+
+
+
+TEST(FaultHistory, HasGapsOfFaultsThatMayOpen)
+{
+  const TemporaryFolder folder;
+  {
+    FaultSnapshot<2> bilateral = numbered_fault<2>("bilateral", 3, 0);
+    bilateral.gap.clear();
+    FaultHistory<2> history(folder.file("faults.h5"),
+                            {bilateral, numbered_fault<2>("unilateral", 3, 0)},
+                            {numbered_shape<2>(3), numbered_shape<2>(3)},
+                            all_fields());
+    history.add(0.5, {bilateral, numbered_fault<2>("unilateral", 3, 1)});
+  }
+  const Hdf5Handle file = open_file(folder.file("faults.h5"));
+  for (const std::string field : {"gap", "opening_rate", "contact_state"})
+    {
+      EXPECT_GT(H5Lexists(file, ("unilateral/" + field).c_str(), H5P_DEFAULT),
+                0);
+      EXPECT_EQ(H5Lexists(file, ("bilateral/" + field).c_str(), H5P_DEFAULT),
+                0);
+    }
 }
 
 

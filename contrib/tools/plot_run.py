@@ -5,7 +5,7 @@
 
 Usage: plot_run.py OUTPUT_DIRECTORY [-o FIGURE] [--fault NAME[,NAME...]] [--event N]
 
-Reads time_series.csv, events.csv and faults.h5 of a run and draws
+Reads time_series.csv, events.csv, openings.csv and faults.h5 of a run and draws
 
 - the largest and the mean slip rate of the chosen faults over time, with their events;
 - in two dimensions, for each of these faults, its slip rate over position and time, for
@@ -13,6 +13,8 @@ Reads time_series.csv, events.csv and faults.h5 of a run and draws
   in that time, with the shear traction before and after;
 - in three dimensions, for each of them, maps over the fault of what it slips in that
   time, its largest slip rate, and the change of its shear traction;
+- of faults that may open, the largest gap and the open area over time with their openings,
+  shaded, and the gap over position and time, or over the fault;
 - step sizes, and the iterations that each step took.
 
 The position on a fault that is not level is the way along it, as in faults.h5; in three
@@ -172,7 +174,7 @@ class FaultRecords:
         result = []
         for face in self.faces:
             face = face[face >= 0]
-            if (np.ptp(self.map[face], axis=0) > 0.5 * extent).any() and len(
+            if (np.ptp(self.map[face], axis=0) > 0.6 * extent).any() and len(
                     self.faces) > 8:
                 continue
             result.append(face[:3])
@@ -236,26 +238,74 @@ def draw_slip_rates(axis, series, faults, events):
     axis.grid(alpha=0.3)
 
 
-def draw_map(axis, fault, limits, title):
+def may_open(series, fault):
+    return f"{fault}.open_area" in series
+
+
+def length_unit(size):
+    """By what to multiply lengths in m of this size for a figure, and the unit then."""
+    for factor, unit in ((1, "m"), (1e3, "mm"), (1e6, "µm")):
+        if factor * size >= 0.5:
+            return factor, unit
+    return (1e9, "nm") if size > 0 else (1e3, "mm")
+
+
+def draw_openings(axis, series, faults, openings, dimension):
+    """Largest gap and open area of the faults that may open, and their openings."""
+    t = series["time"]
+    largest = max(np.nanmax(series[f"{fault}.largest_gap"]) for fault in faults)
+    factor, unit = length_unit(largest)
+    area = axis.twinx()
+    for number, fault in enumerate(faults):
+        colour = VERMILION if len(faults) == 1 else COLOURS[number % len(COLOURS)]
+        own = openings["fault"] == fault
+        axis.plot(t, factor * series[f"{fault}.largest_gap"], color=colour, linewidth=0.9,
+                  label=f"{fault}: {own.sum()} openings")
+        area.plot(t, series[f"{fault}.open_area"], color=colour, linewidth=0.9,
+                  linestyle=":")
+        for opens, closes in zip(openings["opens"][own], openings["closes"][own]):
+            axis.axvspan(opens, closes if np.isfinite(closes) else t[-1], color=colour,
+                         alpha=0.08, linewidth=0)
+    axis.set_ylim(bottom=0)
+    area.set_ylim(bottom=0)
+    axis.set_ylabel(f"largest gap [{unit}]")
+    what = "open length" if dimension == 2 else "open area"
+    area.set_ylabel(what + (" [m]" if dimension == 2 else " [m²]"))
+    area.spines["right"].set_visible(True)
+    axis.set_title("Gap of " + ", ".join(faults) + f" (dotted: {what})", loc="left")
+    axis.legend(loc="lower right", bbox_to_anchor=(1, 0.97), ncol=4)
+    axis.grid(alpha=0.3)
+
+
+def draw_map(axis, fault, limits, title, field="slip_rate"):
     chosen = (fault.time >= limits[0]) & (fault.time <= limits[1])
+    axis.set_title(title, loc="left")
     if chosen.sum() < 2 or len(fault.along) < 2:
         axis.text(0.5, 0.5, "no records", transform=axis.transAxes,
                   ha="center", va="center")
-        axis.set_title(title, loc="left")
         return
-    time, rate = fault.time[chosen], fault.rate(chosen)
-    top = max(rate.max(), 1e-12)
-    bottom = top * 1e-10
-    image = axis.pcolormesh(
-        edges(time), edges(fault.along), np.maximum(rate, bottom).T,
-        norm=LogNorm(bottom, top), cmap="viridis", shading="flat",
-        rasterized=True,
-    )
+    time = fault.time[chosen]
+    if field == "gap":
+        gap = fault.field("gap", chosen)
+        factor, unit = length_unit(gap.max())
+        # Closed nodes stay white.
+        values, colours, norm = np.where(gap > 0, factor * gap, np.nan), "magma_r", None
+        label = f"gap [{unit}]"
+    else:
+        rate = fault.rate(chosen)
+        top = max(rate.max(), 1e-12)
+        bottom = top * 1e-10
+        values, colours, norm = np.maximum(rate, bottom), "viridis", LogNorm(bottom, top)
+        label = "slip rate [m/s]"
+    image = axis.pcolormesh(edges(time), edges(fault.along), values.T, norm=norm,
+                            cmap=colours, shading="flat", rasterized=True)
+    if np.isnan(values).all():
+        image.set_clim(0, 1)
+        axis.text(0.5, 0.5, "closed", transform=axis.transAxes, ha="center", va="center")
     axis.set_xlim(time[0], time[-1])
     axis.set_xlabel("time [s]")
     axis.set_ylabel(fault.label)
-    axis.set_title(title, loc="left")
-    axis.figure.colorbar(image, ax=axis, label="slip rate [m/s]", pad=0.01)
+    axis.figure.colorbar(image, ax=axis, label=label, pad=0.01)
 
 
 def ends_of(fault, window):
@@ -266,7 +316,8 @@ def ends_of(fault, window):
 
 
 def draw_profiles(axes, fault, window):
-    """Slip of a plane fault within a window, and shear tractions at its ends."""
+    """Slip of a plane fault within a window, and shear tractions at its ends; if it may
+    open, its gap when that is largest."""
     records = list(ends_of(fault, window))
     for axis, field, factor, label in (
         (axes[0], "slip", 1e3, "slip [mm]"),
@@ -285,6 +336,14 @@ def draw_profiles(axes, fault, window):
             axis.plot(fault.along, before, color=GREY, linewidth=0.9, label="before")
             axis.plot(fault.along, after, color=VERMILION, linewidth=0.9, label="after")
             axis.legend()
+    if fault.has("gap"):
+        gap = fault.field("gap", slice(records[0], records[1] + 1))
+        widest = gap.max(axis=1).argmax()
+        factor, unit = length_unit(gap.max())
+        axes[2].plot(fault.along, factor * gap[widest], color=VERMILION, linewidth=0.9)
+        axes[2].set(xlabel=fault.label, ylabel=f"gap [{unit}]")
+        axes[2].set_title(f"t = {fault.time[records[0] + widest]:.5g} s", loc="left")
+        axes[2].grid(alpha=0.3)
     axes[0].set_title(f"What {fault.name} slips from t = {fault.time[records[0]]:.5g} s "
                       f"to {fault.time[records[1]]:.5g} s", loc="left")
 
@@ -302,12 +361,16 @@ def draw_fault_maps(axes, fault, window):
         before, after = np.linalg.norm(
             fault.field("shear_traction")[[first, last]], axis=2)
         maps.append(("change of shear traction [kPa]", 1e-3 * (after - before), "RdBu_r"))
+    if fault.has("gap"):
+        gap = fault.field("gap", slice(first, last + 1)).max(axis=0)
+        factor, unit = length_unit(gap.max())
+        maps.append((f"largest gap [{unit}]", factor * gap, "magma_r"))
     triangles = fault.triangles()
     for axis, (label, values, colours) in zip(axes, maps):
         limits = {}
         if colours == "RdBu_r":
             limits = {"vmax": np.abs(values).max(), "vmin": -np.abs(values).max()}
-        elif label.startswith("largest") and values.max() > 0:
+        elif label.startswith("largest slip rate") and values.max() > 0:
             limits = {"norm": LogNorm(max(values.min(), 1e-6 * values.max()),
                                       values.max() * (1 + 1e-9))}
             values = np.maximum(values, 1e-6 * values.max())
@@ -389,6 +452,9 @@ def draw_plane_fault(panels, fault, window, number, has_event):
         axis.text(0.5, 0.5, "no events", transform=axis.transAxes,
                   ha="center", va="center")
         axis.set_title("One event", loc="left")
+    if fault.has("gap"):
+        axis, = panels.row()
+        draw_map(axis, fault, (-np.inf, np.inf), f"Gap along {fault.name}", "gap")
     draw_profiles(panels.row(), fault, window)
 
 
@@ -409,21 +475,30 @@ def draw(directory, file_name, wanted_faults, wanted_event):
         "font.size": 9, "axes.titlesize": 10, "legend.frameon": False,
         "axes.spines.top": False, "axes.spines.right": False,
     })
-    rows = [(1.2, 1)]
+    unilateral = [name for name in names if may_open(series, name)]
+    rows = [(1.2, 1)] + [(1.0, 1)] * bool(unilateral)
     for fault in faults:
+        opens = fault.has("gap")
         if fault.is_plane:
-            rows += [(1.3, 1), (1.3, 1), (1.1, 2)]
+            rows += [(1.3, 1)] * (2 + opens) + [(1.1, 2 + opens)]
+        elif fault.is_long:
+            rows += [(1.1, 1)] * (3 + opens)
         else:
-            rows += [(1.1, 1)] * 3 if fault.is_long else [(1.8, 3)]
+            rows += [(1.8, 3 + opens)]
     panels = Panels(rows + [(0.8, 1), (0.9, 1)])
     over_time = panels.row()
     draw_slip_rates(over_time[0], series, names, events)
+    if unilateral:
+        over_time += panels.row()
+        draw_openings(over_time[1], series, unilateral,
+                      read_table(directory / "openings.csv"),
+                      2 if faults[0].is_plane else 3)
     for fault in faults:
         if fault.is_plane:
             draw_plane_fault(panels, fault, window, number, event is not None)
         else:
             draw_fault_maps(
-                [axis for _ in range(3) for axis in panels.row()]
+                [axis for _ in range(3 + fault.has("gap")) for axis in panels.row()]
                 if fault.is_long else panels.row(),
                 fault, window)
     steps = panels.row() + panels.row()

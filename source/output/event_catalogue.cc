@@ -3,7 +3,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/base/input_error.h>
 #include <stickslip/output/event_catalogue.h>
 
 #include <algorithm>
@@ -27,41 +26,6 @@ namespace StickSlip
       return std::clamp((std::log(level) - from) / (to - from), 0., 1.);
     }
 
-
-
-    /** The way along a fault; three dimensions have none. */
-    void
-    add_way_along(const FaultLayout<2>             &fault,
-                  std::vector<std::vector<double>> &positions)
-    {
-      const std::vector<double> way = arc_lengths(fault);
-      for (unsigned int k = 0; k < way.size(); ++k)
-        positions[k].push_back(way[k]);
-    }
-
-    void
-    add_way_along(const FaultLayout<3> &, std::vector<std::vector<double>> &)
-    {}
-
-
-
-    /** Positions of the nodes of a fault as the table has them: x alone where
-     * all faults are level. */
-    template <int dim>
-    std::vector<std::vector<double>>
-    positions_of(const FaultLayout<dim> &fault, const bool are_level)
-    {
-      std::vector<std::vector<double>> result;
-      for (const Point<dim> &point : fault.surface.points)
-        {
-          result.emplace_back();
-          for (unsigned int d = 0; d < (are_level ? 1 : dim); ++d)
-            result.back().push_back(point[d]);
-        }
-      if (!are_level)
-        add_way_along(fault, result);
-      return result;
-    }
   } // namespace
 
 
@@ -73,34 +37,20 @@ namespace StickSlip
     const std::vector<FaultLayout<dim>> &shapes,
     const double                         start_slip_rate,
     const double                         end_fraction)
-    : file(file_name)
-    , file_name(file_name)
+    : positions(shapes)
+    , file(file_name,
+           "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
+           "mean_slip" +
+             positions.titles("nucleation"))
     , start_slip_rate(start_slip_rate)
     , end_slip_rate(end_fraction * start_slip_rate)
   {
     Assert(start_slip_rate > 0 && end_fraction > 0 && end_fraction <= 1,
            ExcMessage("Events need a threshold."));
     AssertDimension(fault_names.size(), shapes.size());
-    const bool are_level =
-      std::all_of(shapes.begin(), shapes.end(), [](const auto &shape) {
-        return shape.is_level();
-      });
-    for (const FaultLayout<dim> &shape : shapes)
-      positions.push_back(positions_of(shape, are_level));
-
     memory.faults.resize(fault_names.size());
     for (unsigned int i = 0; i < fault_names.size(); ++i)
       memory.faults[i].name = fault_names[i];
-
-    file.precision(std::numeric_limits<double>::max_digits10);
-    file << "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
-            "mean_slip,nucleation_x";
-    if (!are_level)
-      file << (dim == 2 ? ",nucleation_y,nucleation_arc_length" :
-                          ",nucleation_y,nucleation_z");
-    file << '\n' << std::flush;
-    if (!file)
-      throw InputError("The file '" + file_name + "' cannot be written.");
   }
 
 
@@ -139,7 +89,7 @@ namespace StickSlip
     const bool was_fast =
       record.has_past && past.max_slip_rate > start_slip_rate;
     if (now.max_slip_rate > start_slip_rate && !was_fast)
-      record.nucleation = positions[fault][now.fastest_node];
+      record.nucleation = positions.at(fault, now.fastest_node);
 
     if (!record.is_open && now.mean_slip_rate > start_slip_rate)
       {
@@ -212,14 +162,12 @@ namespace StickSlip
   EventCatalogue<dim>::write(const SlipEvent &event)
   {
     memory.written.push_back(event);
-    file << event.fault << ',' << event.start << ',' << event.peak_time << ','
-         << event.end << ',' << event.peak_mean_slip_rate << ','
-         << event.peak_slip_rate << ',' << event.mean_slip;
+    file.row() << event.fault << ',' << event.start << ',' << event.peak_time
+               << ',' << event.end << ',' << event.peak_mean_slip_rate << ','
+               << event.peak_slip_rate << ',' << event.mean_slip;
     for (const double coordinate : event.nucleation)
-      file << ',' << coordinate;
-    file << '\n' << std::flush;
-    AssertThrow(file,
-                ExcMessage("Writing the file '" + file_name + "' failed."));
+      file.row() << ',' << coordinate;
+    file.end_row();
   }
 
 

@@ -22,7 +22,30 @@ namespace StickSlip
           result.values.push_back(vector[d]);
       return result;
     }
+
+
+
+    std::vector<double>
+    numbers_of(const std::vector<ContactState> &states)
+    {
+      std::vector<double> result;
+      result.reserve(states.size());
+      for (const ContactState state : states)
+        result.push_back(static_cast<char>(state));
+      return result;
+    }
   } // namespace
+
+
+
+  template <int dim>
+  bool
+  has_values(const FaultSnapshot<dim> &fault, const FaultField field)
+  {
+    return fault.may_open() ||
+           (field != FaultField::gap && field != FaultField::opening_rate &&
+            field != FaultField::contact_state);
+  }
 
 
 
@@ -66,6 +89,18 @@ namespace StickSlip
                   "contact",
                   1,
                   fault.weights};
+        case FaultField::gap:
+          return {"m",
+                  "gap between the sides, exactly 0 where they touch",
+                  1,
+                  fault.gap};
+        case FaultField::opening_rate:
+          return {"m/s", "rate of the gap", 1, fault.opening_rate};
+        case FaultField::contact_state:
+          return {"1",
+                  "3: bonded, 2: stuck, 1: slipping, 0: open or off contact",
+                  1,
+                  numbers_of(fault.contact_state)};
         case FaultField::position:
           return of_vectors<dim>("m",
                                  "positions of the nodes, which move with the "
@@ -78,6 +113,8 @@ namespace StickSlip
 
 
 
+  template decltype(has_values<2>)   has_values<2>;
+  template decltype(has_values<3>)   has_values<3>;
   template decltype(field_values<2>) field_values<2>;
   template decltype(field_values<3>) field_values<3>;
 } // namespace StickSlip

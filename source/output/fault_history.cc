@@ -118,7 +118,7 @@ namespace StickSlip
       {
         describe(time.id(), "s", "time of each record");
         for (const auto &[field, name] : fault_field_names())
-          if (has_field(wanted, field))
+          if (has_field(wanted, field) && has_values(fault, field))
             {
               const FaultFieldValues values = field_values(fault, field);
               fields.push_back(

@@ -59,6 +59,29 @@ namespace StickSlip
 
 
 
-  template decltype(fault_statistics<2>) fault_statistics<2>;
-  template decltype(fault_statistics<3>) fault_statistics<3>;
+  template <int dim>
+  OpeningStatistics
+  opening_statistics(const FaultSnapshot<dim> &fault)
+  {
+    AssertDimension(fault.gap.size(), fault.points.size());
+    OpeningStatistics statistics;
+    for (unsigned int p = 0; p < fault.gap.size(); ++p)
+      if (fault.weights[p] > 0 && fault.gap[p] > 0)
+        {
+          statistics.open_area += fault.weights[p];
+          if (fault.gap[p] > statistics.largest_gap)
+            {
+              statistics.largest_gap = fault.gap[p];
+              statistics.widest_node = p;
+            }
+        }
+    return statistics;
+  }
+
+
+
+  template decltype(fault_statistics<2>)   fault_statistics<2>;
+  template decltype(fault_statistics<3>)   fault_statistics<3>;
+  template decltype(opening_statistics<2>) opening_statistics<2>;
+  template decltype(opening_statistics<3>) opening_statistics<3>;
 } // namespace StickSlip

@@ -202,7 +202,8 @@ namespace StickSlip
       write_axis("normal", dim - 1);
       for (const auto &[field, name] : fault_field_names())
         if (field == FaultField::contact_weight ||
-            (field != FaultField::position && has_field(fields, field)))
+            (field != FaultField::position && has_field(fields, field) &&
+             has_values(fault, field)))
           {
             const FaultFieldValues of_nodes = field_values(fault, field);
             write_array(out,

@@ -47,6 +47,7 @@ namespace StickSlip
   {
     static const std::set<std::string> names = {"time_series.csv",
                                                 "events.csv",
+                                                "openings.csv",
                                                 "faults.h5",
                                                 "solution.pvd",
                                                 "faults.pvd",

@@ -78,8 +78,10 @@ namespace StickSlip
       "keeps the sides together over the area, which friction feels only "
       "where the normal stress follows it; contact_weight, each node's share "
       "in the area of contact (m, in three dimensions m^2), which changes as "
-      "bodies slide; position (m), where the nodes are as they move. The VTU "
-      "files hold the last two in any case.");
+      "bodies slide; position (m), where the nodes are as they move, which the "
+      "VTU files hold in any case, as contact_weight; and of faults that may "
+      "open gap (m), opening_rate (m/s), contact_state (3: bonded, 2: stuck, "
+      "1: slipping, faster than Event start slip rate, 0: open).");
     add_cadence(prm,
                 "Fault",
                 fault_cadence,
@@ -123,6 +125,13 @@ namespace StickSlip
                NumberRange().above(0).at_most(1),
                "An event ends when the mean slip rate falls below this "
                "fraction of the rate at which it begins, without unit.");
+    add_number(prm,
+               "Opening threshold",
+               opening_threshold,
+               NumberRange().at_least(0),
+               "An opening begins when the largest gap of a fault rises above "
+               "this, in m, and ends when it falls below half of it; 0: 1e-8 "
+               "of the fault's extent.");
     add_switch(prm,
                "Energy balance",
                energy_balance,

@@ -3,41 +3,51 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/base/input_error.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/time_series.h>
 
 #include <cmath>
-#include <limits>
 
 namespace StickSlip
 {
+  namespace
+  {
+    template <int dim>
+    std::string
+    titles(const std::vector<FaultSnapshot<dim>> &faults)
+    {
+      std::string result =
+        "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
+        "multigrid_cycles";
+      for (const FaultSnapshot<dim> &fault : faults)
+        {
+          const auto add = [&](const std::string &column) {
+            result += ',' + fault.name + '.' + column;
+          };
+          for (const char *column : {"max_slip_rate",
+                                     "mean_slip_rate",
+                                     "min_slip_rate",
+                                     "mean_slip",
+                                     "mean_state",
+                                     "mean_shear_traction"})
+            add(column);
+          if (fault.may_open() || !std::isnan(fault.largest_gap))
+            add("largest_gap");
+          if (fault.may_open())
+            add("open_area");
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
                               const std::vector<FaultSnapshot<dim>> &faults)
-    : file(file_name)
-    , file_name(file_name)
+    : file(file_name, titles(faults))
     , n_faults(faults.size())
-  {
-    file.precision(std::numeric_limits<double>::max_digits10);
-    file << "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
-            "multigrid_cycles";
-    for (const FaultSnapshot<dim> &fault : faults)
-      {
-        for (const char *column : {"max_slip_rate",
-                                   "mean_slip_rate",
-                                   "min_slip_rate",
-                                   "mean_slip",
-                                   "mean_state",
-                                   "mean_shear_traction"})
-          file << ',' << fault.name << '.' << column;
-        if (!std::isnan(fault.largest_gap))
-          file << ',' << fault.name << ".largest_gap";
-      }
-    file << '\n' << std::flush;
-    if (!file)
-      throw InputError("The file '" + file_name + "' cannot be written.");
-  }
+  {}
 
 
 
@@ -48,22 +58,27 @@ namespace StickSlip
   {
     AssertDimension(faults.size(), n_faults);
 
-    file << step.step << ',' << step.time << ',' << step.step_size << ','
-         << step.rate_state_iterations << ',' << step.tnnmg_iterations << ','
-         << step.multigrid_cycles;
+    file.row() << step.step << ',' << step.time << ',' << step.step_size << ','
+               << step.rate_state_iterations << ',' << step.tnnmg_iterations
+               << ',' << step.multigrid_cycles;
     for (const FaultSnapshot<dim> &fault : faults)
       {
         const FaultStatistics statistics = fault_statistics(fault);
-        file << ',' << statistics.max_slip_rate << ','
-             << statistics.mean_slip_rate << ',' << statistics.min_slip_rate
-             << ',' << statistics.mean_slip << ',' << statistics.mean_state
-             << ',' << statistics.mean_shear_traction;
-        if (!std::isnan(fault.largest_gap))
-          file << ',' << fault.largest_gap;
+        file.row() << ',' << statistics.max_slip_rate << ','
+                   << statistics.mean_slip_rate << ','
+                   << statistics.min_slip_rate << ',' << statistics.mean_slip
+                   << ',' << statistics.mean_state << ','
+                   << statistics.mean_shear_traction;
+        if (fault.may_open())
+          {
+            const OpeningStatistics opening = opening_statistics(fault);
+            file.row() << ',' << opening.largest_gap << ','
+                       << opening.open_area;
+          }
+        else if (!std::isnan(fault.largest_gap))
+          file.row() << ',' << fault.largest_gap;
       }
-    file << '\n' << std::flush;
-    AssertThrow(file,
-                ExcMessage("Writing the file '" + file_name + "' failed."));
+    file.end_row();
   }
 
 

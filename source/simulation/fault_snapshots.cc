@@ -14,7 +14,8 @@ namespace StickSlip
                        const FaultNodes<dim>          &nodes,
                        const NodeLaws                 &laws,
                        const JumpBasis<dim>           &basis,
-                       const std::vector<std::string> &names)
+                       const std::vector<std::string> &names,
+                       const std::vector<bool>        &may_open)
   {
     std::vector<FaultSnapshot<dim>> snapshots(names.size());
     for (unsigned int f = 0; f < names.size(); ++f)
@@ -38,6 +39,14 @@ namespace StickSlip
             if (!state.contact_pressure.empty())
               snapshot.contact_pressure.push_back(
                 nodes.in_contact(k) ? state.contact_pressure[k] : 0.);
+            if (!state.gap.empty() && (may_open.empty() || may_open[f]))
+              {
+                const bool in_contact = nodes.in_contact(k);
+                snapshot.gap.push_back(in_contact ? state.gap[k] : 0.);
+                snapshot.opening_rate.push_back(
+                  in_contact ? state.opening_rate[k] : 0.);
+                snapshot.is_bonded.push_back(state.is_bonded[k]);
+              }
             snapshot.shear_traction.push_back(
               sign * shear_traction(nodes, laws, state, k));
           }

@@ -5,6 +5,7 @@
 
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/magnitude.h>
+#include <stickslip/output/contact_states.h>
 #include <stickslip/output/fault_surface_writer.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/members_of.h>
@@ -98,6 +99,13 @@ namespace StickSlip
                                                     faults,
                                                     shapes,
                                                     scene.output.fault_fields);
+    if (std::any_of(faults.begin(), faults.end(), [](const auto &fault) {
+          return fault.may_open();
+        }))
+      openings =
+        std::make_unique<OpeningCatalogue<dim>>(directory.file("openings.csv"),
+                                                shapes,
+                                                scene.output.opening_threshold);
     write_parameters(scene, directory.file("parameters.prm"));
   }
 
@@ -140,8 +148,13 @@ namespace StickSlip
     for (const auto &fault : faults)
       for (unsigned int k = 0; k < fault.slip_rate.size(); ++k)
         if (fault.weights[k] > 0.)
-          last_slip_rate =
-            std::max(last_slip_rate, magnitude(fault.slip_rate[k]));
+          {
+            double rate = magnitude(fault.slip_rate[k]);
+            // Records follow sides that part as those that slip.
+            if (fault.may_open())
+              rate = std::max(rate, std::abs(fault.opening_rate[k]));
+            last_slip_rate = std::max(last_slip_rate, rate);
+          }
 
     const unsigned int every = scene.output.time_series_steps;
     write(state,
@@ -164,15 +177,7 @@ namespace StickSlip
                surfaces = fields && scene.output.write_fault_surfaces;
     const VolumeNodalValues values =
       volume ? gather_volume(state) : VolumeNodalValues();
-    if (surfaces || (fault_history && has_field(scene.output.fault_fields,
-                                                FaultField::position)))
-      {
-        const auto positions = fault_positions(space.jump_basis(),
-                                               space.meshes().finest().nodes,
-                                               state.displacement);
-        for (unsigned int f = 0; f < last_faults.size(); ++f)
-          last_faults[f].positions = positions[f];
-      }
+    complete_faults(state, surfaces, fault_history);
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;
@@ -180,6 +185,8 @@ namespace StickSlip
         {
           is_new = false;
           files->catalogue.add(last_step.time, last_faults);
+          if (files->openings)
+            files->openings->add(last_step.time, last_faults);
           if (last_step.step > 0)
             files->progress.update(last_step.time,
                                    last_step.step_size,
@@ -216,6 +223,33 @@ namespace StickSlip
         volume_cadence.note_written(last_step.time, last_slip_rate);
         in_fields = true;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::complete_faults(const SystemState<dim> &state,
+                                  const bool              surfaces,
+                                  const bool              fault_history)
+  {
+    const auto is_wanted = [&](const FaultField field) {
+      return (surfaces || fault_history) &&
+             has_field(scene.output.fault_fields, field);
+    };
+    // The VTU files have positions in any case.
+    if (surfaces || is_wanted(FaultField::position))
+      {
+        const auto positions = fault_positions(space.jump_basis(),
+                                               space.meshes().finest().nodes,
+                                               state.displacement);
+        for (unsigned int f = 0; f < last_faults.size(); ++f)
+          last_faults[f].positions = positions[f];
+      }
+    if (is_wanted(FaultField::contact_state))
+      for (FaultSnapshot<dim> &fault : last_faults)
+        fault.contact_state =
+          contact_states(fault, event_start_slip_rate(scene));
   }
 
 
@@ -284,7 +318,9 @@ namespace StickSlip
     state.volume_cadence = volume_cadence.state();
     if (files)
       {
-        state.events   = files->catalogue.state();
+        state.events = files->catalogue.state();
+        if (files->openings)
+          state.openings = files->openings->state();
         state.volumes  = files->volumes.entries();
         state.surfaces = files->surfaces.entries();
       }
@@ -303,6 +339,8 @@ namespace StickSlip
       if (!files)
         return;
       files->catalogue.resume(state.events);
+      if (files->openings)
+        files->openings->resume(state.openings);
       files->volumes.resume(state.volumes);
       files->surfaces.resume(state.surfaces);
     });
@@ -335,8 +373,31 @@ namespace StickSlip
                                         [&](const SlipEvent &event) {
                                           return event.fault == fault.name;
                                         }));
+      if (files->openings)
+        {
+          files->openings->finish();
+          add_openings(whole);
+        }
       whole.write(files->directory.file("summary.txt"));
     });
+  }
+
+
+
+  template <int dim>
+  void
+  RunRecord<dim>::add_openings(RunSummary &summary) const
+  {
+    RunSummary::Section        &section  = summary.add_section("Openings");
+    const std::vector<Opening> &openings = files->openings->openings();
+    for (const FaultSnapshot<dim> &fault : last_faults)
+      if (fault.may_open())
+        section.add_count(fault.name,
+                          std::count_if(openings.begin(),
+                                        openings.end(),
+                                        [&](const Opening &opening) {
+                                          return opening.fault == fault.name;
+                                        }));
   }
 
 

@@ -4,11 +4,11 @@
 #ifndef stickslip_output_event_catalogue_h
 #define stickslip_output_event_catalogue_h
 
-#include <stickslip/output/fault_layout.h>
+#include <stickslip/output/csv_file.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
+#include <stickslip/output/node_positions.h>
 
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -38,9 +38,8 @@ namespace StickSlip
     double mean_slip = 0;
 
     /** Reference position of the fastest node when the fastest node's slip rate
-     * last rose above the threshold before the event, m: x; where a fault is
-     * not level, all other coordinates, and in two dimensions the way along the
-     * fault (arc_lengths()). */
+     * last rose above the threshold before the event, m, as NodePositions has
+     * it. */
     std::vector<double> nucleation;
 
     /** Members to or from a boost archive. */
@@ -170,14 +169,12 @@ namespace StickSlip
     void
     write(const SlipEvent &event);
 
-    /** Values of SlipEvent::nucleation for the nodes of each fault. */
-    std::vector<std::vector<std::vector<double>>> positions;
+    const NodePositions<dim> positions;
 
-    std::ofstream file;
-    std::string   file_name;
-    double        start_slip_rate;
-    double        end_slip_rate;
-    EventState    memory;
+    CsvFile    file;
+    double     start_slip_rate;
+    double     end_slip_rate;
+    EventState memory;
   };
 } // namespace StickSlip
 

@@ -23,6 +23,12 @@ namespace StickSlip
     std::vector<double> values;
   };
 
+  /** True if a fault has a field at all: some are there only where its sides
+   * may part. */
+  template <int dim>
+  bool
+  has_values(const FaultSnapshot<dim> &fault, const FaultField field);
+
   /** A field of a fault; without values if the snapshot has none. */
   template <int dim>
   FaultFieldValues

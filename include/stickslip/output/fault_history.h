@@ -40,6 +40,12 @@ namespace StickSlip
    *   contact_weight    records x nodes         m^(dim-1)
    *   position          records x nodes x dim   of the moment, m
    *
+   * and of faults that may open
+   *
+   *   gap               records x nodes         m
+   *   opening_rate      records x nodes         m/s
+   *   contact_state     records x nodes         ContactState
+   *
    * where the last extent of tangential vectors is there in three dimensions
    * only. Each data set has the attributes `units` and `description`; the root
    * group names the program, its version and the layout. The file is flushed

@@ -16,6 +16,18 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * How a node of a fault that may open hangs together, in the numbers in
+   * which it is written. Nodes off contact count as open.
+   */
+  enum class ContactState : char
+  {
+    open     = 0,
+    slipping = 1,
+    stuck    = 2,
+    bonded   = 3
+  };
+
+  /**
    * The fields of one fault at one time, node by node: those of each body's
    * part of the slave side in the order of x (then y, then z). Tangential
    * vectors have dim-1 components along the axes of the nodes; slip, slip rate
@@ -52,12 +64,30 @@ namespace StickSlip
      * nobody asks for it. */
     std::vector<double> contact_pressure;
 
+    /** Gap between the sides, m, exactly zero where they touch and at nodes off
+     * contact, and its rate, m/s; empty where the fault may not open. */
+    std::vector<double> gap, opening_rate;
+
+    /** One where the sides are bonded, else zero; ordered and empty like gap.
+     */
+    std::vector<char> is_bonded;
+
+    /** State of contact; empty unless it is written. */
+    std::vector<ContactState> contact_state;
+
     /** Positions at this time, m; empty unless they are written. */
     std::vector<Point<dim>> positions;
 
     /** Largest gap between the sides so far, m, where they follow a fault that
-     * bends; NaN elsewhere. */
+     * bends and may not open; NaN elsewhere. */
     double largest_gap = std::numeric_limits<double>::quiet_NaN();
+
+    /** True if the sides may part. */
+    bool
+    may_open() const
+    {
+      return !gap.empty();
+    }
   };
 
   /**

@@ -11,9 +11,10 @@
 namespace StickSlip
 {
   /**
-   * Values of one fault at one time in the tables. Only nodes in contact count;
-   * means are weighted by the nodes' weights, so that they are means over the
-   * area. All values are NaN where no node is in contact.
+   * Values of one fault at one time in the tables. Only nodes opposite the
+   * other side count, open or not; means are weighted by the nodes' weights, so
+   * that they are means over the area. All values are NaN where there is no
+   * such node.
    */
   struct FaultStatistics
   {
@@ -47,11 +48,34 @@ namespace StickSlip
   };
 
   /**
+   * How far one fault is open at one time. Only nodes opposite the other side
+   * count, those of weight zero do not.
+   */
+  struct OpeningStatistics
+  {
+    /** Largest gap of a node, m. */
+    double largest_gap = 0;
+
+    /** Sum of the weights of open nodes, m^(dim-1). */
+    double open_area = 0;
+
+    /** The (first) node of the largest gap. */
+    unsigned int widest_node = numbers::invalid_unsigned_int;
+  };
+
+  /**
    * The statistics of a fault.
    */
   template <int dim>
   FaultStatistics
   fault_statistics(const FaultSnapshot<dim> &fault);
+
+  /**
+   * How far a fault that may open is open.
+   */
+  template <int dim>
+  OpeningStatistics
+  opening_statistics(const FaultSnapshot<dim> &fault);
 } // namespace StickSlip
 
 #endif

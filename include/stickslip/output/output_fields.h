@@ -23,6 +23,9 @@ namespace StickSlip
     state,
     contact_pressure,
     contact_weight,
+    gap,
+    opening_rate,
+    contact_state,
     position
   };
 
@@ -55,6 +58,9 @@ namespace StickSlip
       {FaultField::state, "state"},
       {FaultField::contact_pressure, "contact_pressure"},
       {FaultField::contact_weight, "contact_weight"},
+      {FaultField::gap, "gap"},
+      {FaultField::opening_rate, "opening_rate"},
+      {FaultField::contact_state, "contact_state"},
       {FaultField::position, "position"}};
     return names;
   }

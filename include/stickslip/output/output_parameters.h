@@ -35,7 +35,10 @@ namespace StickSlip
                                             FaultField::slip_rate,
                                             FaultField::shear_traction,
                                             FaultField::normal_stress,
-                                            FaultField::state};
+                                            FaultField::state,
+                                            FaultField::gap,
+                                            FaultField::opening_rate,
+                                            FaultField::contact_state};
 
     /** Cadence of faults.h5, by the largest slip rate of any fault. */
     CadenceParameters fault_cadence = {2., 1e-5, 1e-3, 0.5};
@@ -59,6 +62,10 @@ namespace StickSlip
 
     /** An event ends when it falls below this fraction of the former. */
     double event_end_fraction = 0.5;
+
+    /** An opening begins when the largest gap of a fault rises above this, m;
+     * zero: a part of the fault's extent, see OpeningCatalogue. */
+    double opening_threshold = 0.;
 
     /** Account of the energy in the summary. */
     bool energy_balance = true;

@@ -4,9 +4,9 @@
 #ifndef stickslip_output_time_series_h
 #define stickslip_output_time_series_h
 
+#include <stickslip/output/csv_file.h>
 #include <stickslip/output/fault_snapshot.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -16,8 +16,10 @@ namespace StickSlip
    * Writes time_series.csv: a header, then a row for each accepted step with
    * the columns step, time, step_size, rate_state_iterations, tnnmg_iterations,
    * multigrid_cycles and, for each fault, those of FaultStatistics, in SI units
-   * and with 17 significant digits; for faults that bend the largest gap
-   * between their sides so far as well. Each row reaches the file at once.
+   * and with 17 significant digits. Faults that may open have those of
+   * OpeningStatistics as well, largest_gap and open_area; of faults that bend
+   * and may not open there is the largest gap between their sides so far. Each
+   * row reaches the file at once.
    */
   template <int dim>
   class TimeSeries
@@ -37,9 +39,8 @@ namespace StickSlip
     add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);
 
   private:
-    std::ofstream file;
-    std::string   file_name;
-    unsigned int  n_faults;
+    CsvFile      file;
+    unsigned int n_faults;
   };
 } // namespace StickSlip
 

@@ -14,6 +14,9 @@ namespace StickSlip
   /**
    * The fields of all faults, with @p names, in the form in which they are
    * written: of the upper body relative to the lower one, along x.
+   *
+   * @p may_open: which faults have gaps, by fault; empty: all, if the state has
+   * any.
    */
   template <int dim>
   std::vector<FaultSnapshot<dim>>
@@ -21,7 +24,8 @@ namespace StickSlip
                        const FaultNodes<dim>          &nodes,
                        const NodeLaws                 &laws,
                        const JumpBasis<dim>           &basis,
-                       const std::vector<std::string> &names);
+                       const std::vector<std::string> &names,
+                       const std::vector<bool>        &may_open = {});
 } // namespace StickSlip
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <stickslip/output/event_catalogue.h>
 #include <stickslip/output/fault_history.h>
+#include <stickslip/output/opening_catalogue.h>
 #include <stickslip/output/output_cadence.h>
 #include <stickslip/output/output_directory.h>
 #include <stickslip/output/progress.h>
@@ -68,6 +69,17 @@ namespace StickSlip
           const bool              fault_history,
           const bool              fields);
 
+    /** Fill in the fields of the last faults that only files have.
+     * Collective. */
+    void
+    complete_faults(const SystemState<dim> &state,
+                    const bool              surfaces,
+                    const bool              fault_history);
+
+    /** Openings of each fault that may open, for the summary. */
+    void
+    add_openings(RunSummary &summary) const;
+
     /** Nodal values that the VTU files need. Collective. */
     VolumeNodalValues
     gather_volume(const SystemState<dim> &state) const;
@@ -100,6 +112,8 @@ namespace StickSlip
       /** Files that are asked for, null otherwise. */
       std::unique_ptr<TimeSeries<dim>>   time_series;
       std::unique_ptr<FaultHistory<dim>> history;
+      /** Openings, if a fault may open, null otherwise. */
+      std::unique_ptr<OpeningCatalogue<dim>> openings;
     };
 
     const SceneParameters<dim> &scene;

@@ -5,6 +5,7 @@
 #define stickslip_simulation_run_state_h
 
 #include <stickslip/output/event_catalogue.h>
+#include <stickslip/output/opening_catalogue.h>
 #include <stickslip/output/output_cadence.h>
 #include <stickslip/output/pvd_record.h>
 #include <stickslip/problem/system_state.h>
@@ -56,12 +57,13 @@ namespace StickSlip
   };
 
   /**
-   * Memory of the record of a run of all that it has written. Events and VTU
-   * files are known to the process only that writes.
+   * Memory of the record of a run of all that it has written. Events, openings
+   * and VTU files are known to the process only that writes.
    */
   struct RecordState
   {
     EventState    events;
+    OpeningState  openings;
     CadenceState  fault_cadence, volume_cadence;
     VolumeEntries volumes, surfaces;
 
@@ -70,7 +72,8 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &events &fault_cadence &volume_cadence &volumes &surfaces;
+      archive &events &openings &fault_cadence &volume_cadence &volumes
+        &surfaces;
     }
   };
 

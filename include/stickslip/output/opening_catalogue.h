@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_output_opening_catalogue_h
+#define stickslip_output_opening_catalogue_h
+
+#include <stickslip/output/csv_file.h>
+#include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/node_positions.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * One opening of one fault.
+   */
+  struct Opening
+  {
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    std::string fault;
+
+    /** Times, s, the second one that of the largest gap; an opening that never
+     * closed closes at NaN. */
+    double opens     = nan;
+    double peak_time = nan;
+    double closes    = nan;
+
+    /** Largest gap of any node, m, and largest open area, m^(dim-1), after any
+     * step of the opening. */
+    double largest_gap       = 0;
+    double largest_open_area = 0;
+
+    /** Reference positions, m, as NodePositions has them, of the node whose gap
+     * is the largest when the opening begins, and of the one with the largest
+     * gap of all. */
+    std::vector<double> begins_at, widest_at;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &fault &opens &peak_time &closes &largest_gap &largest_open_area
+        &begins_at &widest_at;
+    }
+  };
+
+  /**
+   * Memory of a catalogue of openings from step to step.
+   */
+  struct OpeningState
+  {
+    /** The last step as one fault took part in it, and its opening, if that
+     * goes on. */
+    struct Fault
+    {
+      bool    has_past    = false;
+      double  time        = 0;
+      double  largest_gap = 0;
+      bool    is_open     = false;
+      Opening opening;
+
+      /** Members to or from a boost archive. */
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &has_past &time &largest_gap &is_open &opening;
+      }
+    };
+
+    std::vector<Fault> faults;
+
+    /** Openings that have closed. */
+    std::vector<Opening> written;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &faults &written;
+    }
+  };
+
+  /**
+   * Finds the openings of faults in a sequence of accepted steps and writes
+   * openings.csv, a row for each opening as soon as it has closed.
+   *
+   * An opening begins when the largest gap of a fault rises above a threshold
+   * and ends when it falls below half of that, so that bounces of less than
+   * this is no opening of its own. Both times are interpolated between the
+   * steps, linearly in the largest gap.
+   *
+   * Columns are the members of Opening, with one for each number of the two
+   * positions: begins_x, _y, _z and _arc_length, as far as they are there, and
+   * widest_x and so on.
+   */
+  template <int dim>
+  class OpeningCatalogue
+  {
+  public:
+    /** Threshold in place of none, over the extent of a fault. */
+    static constexpr double default_threshold = 1e-8;
+
+    /**
+     * @p shapes: one entry a fault. @p threshold in m; 0: default_threshold
+     * times the diagonal of the box around the nodes of each fault. Throws
+     * InputError if the file cannot be written.
+     */
+    OpeningCatalogue(const std::string                   &file_name,
+                     const std::vector<FaultLayout<dim>> &shapes,
+                     const double                         threshold);
+
+    /**
+     * Take in an accepted step; @p faults in the order of the shapes. Those
+     * that may not open have no openings.
+     */
+    void
+    add(const double time, const std::vector<FaultSnapshot<dim>> &faults);
+
+    /**
+     * Write the openings that have not closed. To be called once after the last
+     * step.
+     */
+    void
+    finish();
+
+    /**
+     * The openings that have been written.
+     */
+    const std::vector<Opening> &
+    openings() const
+    {
+      return memory.written;
+    }
+
+    /**
+     * Memory of all that has been taken in.
+     */
+    const OpeningState &
+    state() const
+    {
+      return memory;
+    }
+
+    /**
+     * Go on from the state of another catalogue, before anything is taken in;
+     * its openings are written.
+     */
+    void
+    resume(const OpeningState &state);
+
+  private:
+    void
+    add(const unsigned int        number,
+        const double              time,
+        const FaultSnapshot<dim> &fault);
+
+    void
+    write(const Opening &opening);
+
+    const NodePositions<dim> positions;
+    /** Threshold of each fault, m. */
+    std::vector<double> thresholds;
+
+    CsvFile      file;
+    OpeningState memory;
+  };
+} // namespace StickSlip
+
+#endif

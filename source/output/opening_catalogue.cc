@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/exceptions.h>
+
+#include <stickslip/output/fault_statistics.h>
+#include <stickslip/output/opening_catalogue.h>
+
+#include <algorithm>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** Diagonal of the box around the nodes of a fault, m. */
+    template <int dim>
+    double
+    extent(const FaultLayout<dim> &shape)
+    {
+      const BoundingBox<dim> box(shape.surface.points);
+      return box.get_boundary_points().first.distance(
+        box.get_boundary_points().second);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  OpeningCatalogue<dim>::OpeningCatalogue(
+    const std::string                   &file_name,
+    const std::vector<FaultLayout<dim>> &shapes,
+    const double                         threshold)
+    : positions(shapes)
+    , file(file_name,
+           "fault,opens,peak_time,closes,largest_gap,largest_open_area" +
+             positions.titles("begins") + positions.titles("widest"))
+  {
+    for (const FaultLayout<dim> &shape : shapes)
+      thresholds.push_back(threshold > 0 ? threshold :
+                                           default_threshold * extent(shape));
+    memory.faults.resize(shapes.size());
+  }
+
+
+
+  template <int dim>
+  void
+  OpeningCatalogue<dim>::add(const double                           time,
+                             const std::vector<FaultSnapshot<dim>> &faults)
+  {
+    AssertDimension(faults.size(), memory.faults.size());
+    for (unsigned int i = 0; i < memory.faults.size(); ++i)
+      if (faults[i].may_open())
+        add(i, time, faults[i]);
+  }
+
+
+
+  template <int dim>
+  void
+  OpeningCatalogue<dim>::add(const unsigned int        number,
+                             const double              time,
+                             const FaultSnapshot<dim> &fault)
+  {
+    const OpeningStatistics now   = opening_statistics(fault);
+    const double            opens = thresholds[number], closes = opens / 2;
+    OpeningState::Fault    &record  = memory.faults[number];
+    Opening                &opening = record.opening;
+
+    // The time at which the largest gap reached a level during the step.
+    const auto time_of = [&](const double level) {
+      const double change = now.largest_gap - record.largest_gap;
+      const double part   = (level - record.largest_gap) / change;
+      return record.time + std::clamp(part, 0., 1.) * (time - record.time);
+    };
+
+    if (!record.is_open && now.largest_gap > opens)
+      {
+        record.is_open    = true;
+        opening           = Opening();
+        opening.fault     = fault.name;
+        opening.opens     = record.has_past ? time_of(opens) : time;
+        opening.begins_at = positions.at(number, now.widest_node);
+      }
+
+    if (record.is_open)
+      {
+        opening.largest_open_area =
+          std::max(opening.largest_open_area, now.open_area);
+        if (now.largest_gap > opening.largest_gap)
+          {
+            opening.largest_gap = now.largest_gap;
+            opening.peak_time   = time;
+            opening.widest_at   = positions.at(number, now.widest_node);
+          }
+        if (now.largest_gap < closes)
+          {
+            opening.closes = time_of(closes);
+            record.is_open = false;
+            write(opening);
+          }
+      }
+
+    record.has_past    = true;
+    record.time        = time;
+    record.largest_gap = now.largest_gap;
+  }
+
+
+
+  template <int dim>
+  void
+  OpeningCatalogue<dim>::finish()
+  {
+    for (OpeningState::Fault &record : memory.faults)
+      if (record.is_open)
+        {
+          record.is_open = false;
+          write(record.opening);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  OpeningCatalogue<dim>::resume(const OpeningState &state)
+  {
+    AssertDimension(state.faults.size(), memory.faults.size());
+    memory.faults = state.faults;
+    for (const Opening &opening : state.written)
+      write(opening);
+  }
+
+
+
+  template <int dim>
+  void
+  OpeningCatalogue<dim>::write(const Opening &opening)
+  {
+    memory.written.push_back(opening);
+    file.row() << opening.fault << ',' << opening.opens << ','
+               << opening.peak_time << ',' << opening.closes << ','
+               << opening.largest_gap << ',' << opening.largest_open_area;
+    for (const auto *position : {&opening.begins_at, &opening.widest_at})
+      for (const double coordinate : *position)
+        file.row() << ',' << coordinate;
+    file.end_row();
+  }
+
+
+
+  template class OpeningCatalogue<2>;
+  template class OpeningCatalogue<3>;
+} // namespace StickSlip
