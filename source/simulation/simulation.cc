@@ -349,8 +349,16 @@ namespace StickSlip
   std::vector<FaultSnapshot<dim>>
   Simulation<dim>::fault_snapshots() const
   {
-    std::vector<FaultSnapshot<dim>> snapshots = make_fault_snapshots(
-      state(), faults, laws, problem.jump_basis(), names_of(scene.faults));
+    std::vector<bool> may_open;
+    for (const FaultParameters &fault : scene.faults)
+      may_open.push_back(fault.may_open());
+    std::vector<FaultSnapshot<dim>> snapshots =
+      make_fault_snapshots(state(),
+                           faults,
+                           laws,
+                           problem.jump_basis(),
+                           names_of(scene.faults),
+                           may_open);
     for (unsigned int f = 0; f < snapshots.size(); ++f)
       snapshots[f].largest_gap = run_state.largest_gaps[f];
     return snapshots;
