@@ -23,7 +23,7 @@ namespace StickSlip
 
 
 
-    /** Where the slip rate is known, the sides stay together. */
+    /** True unless the slip rate is known, where the sides stay together. */
     bool
     may_open(const FaultPart &part)
     {

@@ -10,7 +10,7 @@
 
 namespace StickSlip
 {
-  /** What each slave node may do along the normal; empty where no fault of the
+  /** Freedom of each slave node along the normal; empty where no fault of the
    * scene may open. @p space as it is without displacement. Throws InputError
    * where a field has no value. Collective. */
   template <int dim>
