@@ -218,8 +218,8 @@ namespace StickSlip
     for (const double coordinate : event.nucleation)
       file << ',' << coordinate;
     file << '\n' << std::flush;
-    AssertThrow(file,
-                ExcMessage("Writing the file '" + file_name + "' failed."));
+    if (!file)
+      throw InputError("The file '" + file_name + "' cannot be written.");
   }
 
 

@@ -153,6 +153,32 @@ namespace StickSlip
         write_arc_length(group, shape);
       }
 
+      /** The group of an earlier run. */
+      FaultGroup(const hid_t                    file,
+                 const FaultSnapshot<dim>      &fault,
+                 const std::vector<FaultField> &wanted)
+        : n_nodes(fault.points.size())
+        , group(open_hdf5_group(file, fault.name))
+        , time(group, "time")
+      {
+        for (const auto &[field, name] : fault_field_names())
+          if (has_field(wanted, field))
+            fields.push_back({field, Hdf5Series(group, name)});
+      }
+
+      /** Where the file has records that are final. */
+      void
+      add_final_ranges(ByteRanges &ranges)
+      {
+        const auto add = [&](Hdf5Series &series) {
+          const ByteRanges &chunks = series.full_chunks();
+          ranges.insert(ranges.end(), chunks.begin(), chunks.end());
+        };
+        add(time);
+        for (Field &field : fields)
+          add(field.series);
+      }
+
       void
       append(const double new_time, const FaultSnapshot<dim> &fault)
       {
@@ -201,6 +227,17 @@ namespace StickSlip
       flush();
     }
 
+    /** The file of an earlier run. */
+    File(const std::string                     &file_name,
+         const std::vector<FaultSnapshot<dim>> &faults,
+         const std::vector<FaultField>         &fields)
+      : file(open_hdf5_file(file_name))
+    {
+      groups.reserve(faults.size());
+      for (const FaultSnapshot<dim> &fault : faults)
+        groups.emplace_back(file, fault, fields);
+    }
+
     void
     flush()
     {
@@ -220,6 +257,7 @@ namespace StickSlip
                                   const std::vector<FaultSnapshot<dim>> &faults,
                                   const std::vector<FaultLayout<dim>>   &shapes,
                                   const std::vector<FaultField>         &fields)
+    : file_name(file_name)
   {
     AssertDimension(faults.size(), shapes.size());
     // HDF5 would print a stack of its own.
@@ -231,7 +269,33 @@ namespace StickSlip
 
 
   template <int dim>
+  FaultHistory<dim>::FaultHistory(const std::string &file_name,
+                                  const std::vector<FaultSnapshot<dim>> &faults,
+                                  const std::vector<FaultField>         &fields,
+                                  const FileState &earlier)
+    : file_name(file_name)
+  {
+    restore_file(file_name, earlier);
+    file = std::make_unique<File>(file_name, faults, fields);
+  }
+
+
+
+  template <int dim>
   FaultHistory<dim>::~FaultHistory() = default;
+
+
+
+  template <int dim>
+  FileState
+  FaultHistory<dim>::state() const
+  {
+    file->flush();
+    ByteRanges final_ranges;
+    for (FaultGroup<dim> &group : file->groups)
+      group.add_final_ranges(final_ranges);
+    return file_state(file_name, final_ranges);
+  }
 
 
 

@@ -35,6 +35,30 @@ namespace StickSlip
           file << ',' << fault.name << ".largest_gap";
       }
     file << '\n' << std::flush;
+    check();
+  }
+
+
+
+  template <int dim>
+  TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
+                              const std::vector<FaultSnapshot<dim>> &faults,
+                              const FileState                       &earlier)
+    : file_name(file_name)
+    , n_faults(faults.size())
+  {
+    restore_file(file_name, earlier);
+    file.open(file_name, std::ios::app);
+    file.precision(std::numeric_limits<double>::max_digits10);
+    check();
+  }
+
+
+
+  template <int dim>
+  void
+  TimeSeries<dim>::check() const
+  {
     if (!file)
       throw InputError("The file '" + file_name + "' cannot be written.");
   }
@@ -62,8 +86,7 @@ namespace StickSlip
           file << ',' << fault.largest_gap;
       }
     file << '\n' << std::flush;
-    AssertThrow(file,
-                ExcMessage("Writing the file '" + file_name + "' failed."));
+    check();
   }
 
 

@@ -115,6 +115,8 @@ namespace StickSlip
                "dynamic they do not.";
         throw StepSizeTooSmall(message.str());
       }
+    if (must_stop && must_stop())
+      throw StepInterrupted();
   }
 
 

@@ -5,6 +5,7 @@
 #define stickslip_output_hdf5_file_h
 
 #include <hdf5.h>
+#include <stickslip/output/file_state.h>
 
 #include <string>
 #include <vector>
@@ -65,6 +66,9 @@ namespace StickSlip
                const std::string          &name,
                const std::vector<hsize_t> &record_shape);
 
+    /** A data set that is there, to go on with. */
+    Hdf5Series(const hid_t group, const std::string &name);
+
     /**
      * Append a record, whose values run through the last extent fastest.
      */
@@ -77,9 +81,15 @@ namespace StickSlip
       return data_set;
     }
 
+    /** Where the file has the chunks that are full, which are not written any
+     * more once they are in the file. Empty where this HDF5 does not tell. */
+    const ByteRanges &
+    full_chunks();
+
   private:
     std::vector<hsize_t> shape;
     Hdf5Handle           data_set;
+    ByteRanges           chunks;
   };
 
   /**
@@ -87,6 +97,15 @@ namespace StickSlip
    */
   Hdf5Handle
   create_hdf5_file(const std::string &file_name);
+
+  /**
+   * Open a file that is there, to go on writing. Others may read it meanwhile.
+   */
+  Hdf5Handle
+  open_hdf5_file(const std::string &file_name);
+
+  Hdf5Handle
+  open_hdf5_group(const hid_t parent, const std::string &name);
 
   Hdf5Handle
   create_hdf5_group(const hid_t parent, const std::string &name);

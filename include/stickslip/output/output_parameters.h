@@ -60,6 +60,15 @@ namespace StickSlip
     /** An event ends when it falls below this fraction of the former. */
     double event_end_fraction = 0.5;
 
+    /** Simulated time, s, and wall time, s, after which a checkpoint is
+     * written; zero: not for this reason. */
+    double checkpoint_interval  = 0.;
+    double checkpoint_wall_time = 600.;
+
+    /** The number of checkpoints that stay, the last ones; zero: none are
+     * written. */
+    unsigned int checkpoints_kept = 2;
+
     /** Account of the energy in the summary. */
     bool energy_balance = true;
 

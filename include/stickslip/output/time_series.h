@@ -5,6 +5,7 @@
 #define stickslip_output_time_series_h
 
 #include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/file_state.h>
 
 #include <fstream>
 #include <string>
@@ -31,12 +32,30 @@ namespace StickSlip
                const std::vector<FaultSnapshot<dim>> &faults);
 
     /**
+     * Go on with the file of another run with the same faults, as it was.
+     * Throws InputError if that is impossible.
+     */
+    TimeSeries(const std::string                     &file_name,
+               const std::vector<FaultSnapshot<dim>> &faults,
+               const FileState                       &earlier);
+
+    /** The file as it is now. */
+    FileState
+    state() const
+    {
+      return file_state(file_name);
+    }
+
+    /**
      * Append a row; @p faults in the order of those given first.
      */
     void
     add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);
 
   private:
+    void
+    check() const;
+
     std::ofstream file;
     std::string   file_name;
     unsigned int  n_faults;
