@@ -48,6 +48,14 @@ FOLLOWING = [
     "Faults/fault/Normal stress=lithostatic",
     "Faults/fault/Normal stress follows=true",
 ]
+PLANE = [
+    "Bodies/lower/Lower lateral corner=-1",
+    "Bodies/lower/Upper lateral corner=1",
+    "Bodies/lower/Coarse cells=4, 1",
+    "Bodies/upper/Lower lateral corner=-1",
+    "Bodies/upper/Upper lateral corner=1",
+    "Bodies/upper/Coarse cells=4, 1",
+]
 BENT = ["Faults/fault/Elevation=0.005*sin(3*x)"]
 SPACE = [
     "Dimension=3",
@@ -66,26 +74,26 @@ SPACE = [
 
 # Settings, number of processes, and whether the case takes long.
 CASES = {
-    "sliding": (FAST, 1, False),
-    "following": (FAST + FOLLOWING, 1, False),
-    "bent": (FAST + BENT, 2, False),
+    "sliding": (FAST + PLANE, 1, False),
+    "following": (FAST + PLANE + FOLLOWING, 1, False),
+    "bent": (FAST + PLANE + BENT, 2, False),
     "doubling": (
-        FAST + ["Time/Step size control=step doubling", "Time/Doubling threshold=1e-3"],
+        FAST + PLANE + ["Time/Step size control=step doubling", "Time/Doubling threshold=1e-3"],
         1,
         False,
     ),
-    "condensed": (FAST + ["Time/Rate solver=condensed Newton"], 1, False),
+    "condensed": (FAST + PLANE + ["Time/Rate solver=condensed Newton"], 1, False),
     "space": (FAST + SPACE, 1, False),
-    "quasi-static": (FAST + ["Time/Inertia=quasi-static"], 1, True),
-    "quasi-dynamic": (FAST + ["Time/Inertia=quasi-dynamic"], 3, True),
-    "nested": (FAST + ["Time/Rate-state method=nested"], 1, True),
-    "constant": (FAST + ["Time/Step size control=constant"], 1, True),
-    "bent and following": (FAST + BENT + FOLLOWING, 4, True),
-    "amg": (FAST + ["TNNMG/Coarse solver=amg"], 1, True),
-    "umfpack": (FAST + ["TNNMG/Linear correction=umfpack"], 1, True),
+    "quasi-static": (FAST + PLANE + ["Time/Inertia=quasi-static"], 1, True),
+    "quasi-dynamic": (FAST + PLANE + ["Time/Inertia=quasi-dynamic"], 3, True),
+    "nested": (FAST + PLANE + ["Time/Rate-state method=nested"], 1, True),
+    "constant": (FAST + PLANE + ["Time/Step size control=constant"], 1, True),
+    "bent and following": (FAST + PLANE + BENT + FOLLOWING, 4, True),
+    "amg": (FAST + PLANE + ["TNNMG/Coarse solver=AMG"], 1, True),
+    "umfpack": (FAST + PLANE + ["TNNMG/Linear correction=UMFPACK"], 1, True),
     "space and following": (FAST + SPACE + FOLLOWING, 2, True),
     "oscillating": (
-        FAST + ["Boundary conditions/upper top/x value=0.25+0.1*sin(5*t)"],
+        FAST + PLANE + ["Boundary conditions/upper top/x value=0.25+0.1*sin(5*t)"],
         2,
         True,
     ),
@@ -177,6 +185,13 @@ def history_differences(first, second):
                 yield f"faults.h5: {path} differs"
 
 
+def wait_for_checkpoint(process, folder):
+    """Wait until there is a new one, or the run has ended."""
+    before = set(folder.glob("checkpoints/*.state"))
+    while process.poll() is None and before == set(folder.glob("checkpoints/*.state")):
+        time.sleep(0.005)
+
+
 def wait_for_lock(folder):
     """Wait until nobody writes there any more: processes end after mpirun."""
     handle = os.open(folder, os.O_RDONLY)
@@ -206,7 +221,10 @@ def check_kills(runs, settings, n_kills, generator):
     shutil.rmtree(runs.folder / "killed", ignore_errors=True)
     process = runs.start(settings)
     for _ in range(n_kills):
-        time.sleep(generator.uniform(0.1, 0.1 + 1.5 * duration / n_kills))
+        # Most kills while steps are made, some at the start.
+        if generator.random() < 0.8:
+            wait_for_checkpoint(process, runs.folder / "killed")
+        time.sleep(generator.uniform(0, duration / n_kills))
         kill(process)
         process = goes_on(runs, settings)
     output = process.communicate()[0]
@@ -261,6 +279,8 @@ def main():
     seed = random.randrange(10**6) if arguments.seed is None else arguments.seed
     text = (arguments.tests / "creeping_scene.h").read_text()
     scene = re.search(r'R"\((.*?)\)"', text, re.DOTALL).group(1)
+    # What has as many numbers as the space has dimensions is in the settings.
+    scene = re.sub(r"^.*(corner|Coarse cells).*\n", "", scene, flags=re.MULTILINE)
     n_problems = 0
     for name, (settings, n_processes, is_long) in CASES.items():
         if (name not in arguments.names) if arguments.names else (

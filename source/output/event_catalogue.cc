@@ -3,7 +3,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/base/input_error.h>
 #include <stickslip/output/event_catalogue.h>
 
 #include <algorithm>
@@ -74,7 +73,6 @@ namespace StickSlip
     const double                         start_slip_rate,
     const double                         end_fraction)
     : file(file_name)
-    , file_name(file_name)
     , start_slip_rate(start_slip_rate)
     , end_slip_rate(end_fraction * start_slip_rate)
   {
@@ -92,15 +90,12 @@ namespace StickSlip
     for (unsigned int i = 0; i < fault_names.size(); ++i)
       memory.faults[i].name = fault_names[i];
 
-    file.precision(std::numeric_limits<double>::max_digits10);
     file << "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
             "mean_slip,nucleation_x";
     if (!are_level)
       file << (dim == 2 ? ",nucleation_y,nucleation_arc_length" :
                           ",nucleation_y,nucleation_z");
-    file << '\n' << std::flush;
-    if (!file)
-      throw InputError("The file '" + file_name + "' cannot be written.");
+    file.end_row();
   }
 
 
@@ -217,9 +212,7 @@ namespace StickSlip
          << event.peak_slip_rate << ',' << event.mean_slip;
     for (const double coordinate : event.nucleation)
       file << ',' << coordinate;
-    file << '\n' << std::flush;
-    if (!file)
-      throw InputError("The file '" + file_name + "' cannot be written.");
+    file.end_row();
   }
 
 

@@ -9,6 +9,7 @@
 #include <stickslip/output/hdf5_file.h>
 #include <stickslip/version.h>
 
+#include <filesystem>
 #include <fstream>
 
 namespace StickSlip
@@ -166,6 +167,16 @@ namespace StickSlip
             fields.push_back({field, Hdf5Series(group, name)});
       }
 
+      /** Bytes that the next record takes, at most. */
+      std::uint64_t
+      growth() const
+      {
+        std::uint64_t result = time.growth();
+        for (const Field &field : fields)
+          result += field.series.growth();
+        return result;
+      }
+
       /** Where the file has records that are final. */
       void
       add_final_ranges(ByteRanges &ranges)
@@ -241,7 +252,10 @@ namespace StickSlip
     void
     flush()
     {
-      AssertThrow(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0,
+      if (H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0)
+        return;
+      Hdf5Handle::note_failure();
+      AssertThrow(false,
                   ExcMessage("HDF5 failed to write the faults' records."));
     }
 
@@ -260,7 +274,10 @@ namespace StickSlip
     : file_name(file_name)
   {
     AssertDimension(faults.size(), shapes.size());
-    // HDF5 would print a stack of its own.
+    std::uint64_t size = 0;
+    for (const FaultSnapshot<dim> &fault : faults)
+      size += fault.points.size() * dim * 8 * sizeof(double);
+    require_space(file_name, size);
     if (!std::ofstream(file_name))
       throw InputError("The file '" + file_name + "' cannot be written.");
     file = std::make_unique<File>(file_name, faults, shapes, fields);
@@ -305,6 +322,15 @@ namespace StickSlip
                          const std::vector<FaultSnapshot<dim>> &faults)
   {
     AssertDimension(faults.size(), file->groups.size());
+    std::uint64_t growth = 0;
+    for (const FaultGroup<dim> &group : file->groups)
+      growth += group.growth();
+    require_space(file_name, growth);
+    // HDF5 would go on writing to a file that has been deleted.
+    std::error_code error;
+    if (!std::filesystem::exists(file_name, error))
+      throw InputError("The file '" + file_name +
+                       "' cannot be written (it is not there any more).");
     for (unsigned int i = 0; i < faults.size(); ++i)
       file->groups[i].append(time, faults[i]);
     file->flush();

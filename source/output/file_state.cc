@@ -54,16 +54,6 @@ namespace StickSlip
 
 
 
-  FileState
-  file_state(const std::string &file_name)
-  {
-    FileState state;
-    state.size = size_of(file_name);
-    return state;
-  }
-
-
-
   void
   restore_file(const std::string &file_name, const FileState &state)
   {

@@ -3,9 +3,11 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/hdf5_file.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <numeric>
 #include <type_traits>
@@ -19,7 +21,10 @@ namespace StickSlip
     void
     require(const bool success, const std::string &what)
     {
-      AssertThrow(success, ExcMessage("HDF5 failed to " + what + "."));
+      if (success)
+        return;
+      Hdf5Handle::note_failure();
+      AssertThrow(false, ExcMessage("HDF5 failed to " + what + "."));
     }
 
 
@@ -84,6 +89,10 @@ namespace StickSlip
 
 
 
+  bool Hdf5Handle::has_failed = false;
+
+
+
   Hdf5Handle::Hdf5Handle(const hid_t        id,
                          const Closer       close,
                          const std::string &what)
@@ -124,6 +133,18 @@ namespace StickSlip
     const Hdf5Handle  space(H5Dget_space(data_set), H5Sclose, what);
     shape.resize(H5Sget_simple_extent_ndims(space));
     require(H5Sget_simple_extent_dims(space, shape.data(), nullptr) > 0, what);
+  }
+
+
+
+  std::uint64_t
+  Hdf5Series::growth() const
+  {
+    const std::vector<hsize_t> record_shape(shape.begin() + 1, shape.end());
+    const hsize_t              length = chunk_length(record_shape);
+    return shape[0] % length > 0 ?
+             0 :
+             sizeof(double) * length * n_entries(record_shape);
   }
 
 
@@ -196,6 +217,10 @@ namespace StickSlip
     Hdf5Handle
     access_without_lock(const std::string &file_name)
     {
+      // Handles close themselves, and errors are thrown.
+      static const herr_t no_closing_at_exit = H5dont_atexit();
+      (void)no_closing_at_exit;
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
       Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS),
                         H5Pclose,
                         "describe the file '" + file_name + "'");
@@ -206,6 +231,22 @@ namespace StickSlip
       return access;
     }
   } // namespace
+
+
+
+  void
+  require_space(const std::string &file_name, const std::uint64_t n_bytes)
+  {
+    // What tables of records grow by.
+    constexpr std::uint64_t of_tables = 32768;
+    std::error_code         error;
+    const auto              space =
+      std::filesystem::space(std::filesystem::path(file_name).parent_path(),
+                             error);
+    if (!error && space.available < n_bytes + of_tables)
+      throw InputError("The file '" + file_name +
+                       "' cannot be written (no space left).");
+  }
 
 
 

@@ -3,12 +3,10 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/base/input_error.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/time_series.h>
 
 #include <cmath>
-#include <limits>
 
 namespace StickSlip
 {
@@ -16,10 +14,8 @@ namespace StickSlip
   TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
                               const std::vector<FaultSnapshot<dim>> &faults)
     : file(file_name)
-    , file_name(file_name)
     , n_faults(faults.size())
   {
-    file.precision(std::numeric_limits<double>::max_digits10);
     file << "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
             "multigrid_cycles";
     for (const FaultSnapshot<dim> &fault : faults)
@@ -34,8 +30,7 @@ namespace StickSlip
         if (!std::isnan(fault.largest_gap))
           file << ',' << fault.name << ".largest_gap";
       }
-    file << '\n' << std::flush;
-    check();
+    file.end_row();
   }
 
 
@@ -44,24 +39,9 @@ namespace StickSlip
   TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
                               const std::vector<FaultSnapshot<dim>> &faults,
                               const FileState                       &earlier)
-    : file_name(file_name)
+    : file(file_name, earlier)
     , n_faults(faults.size())
-  {
-    restore_file(file_name, earlier);
-    file.open(file_name, std::ios::app);
-    file.precision(std::numeric_limits<double>::max_digits10);
-    check();
-  }
-
-
-
-  template <int dim>
-  void
-  TimeSeries<dim>::check() const
-  {
-    if (!file)
-      throw InputError("The file '" + file_name + "' cannot be written.");
-  }
+  {}
 
 
 
@@ -85,8 +65,7 @@ namespace StickSlip
         if (!std::isnan(fault.largest_gap))
           file << ',' << fault.largest_gap;
       }
-    file << '\n' << std::flush;
-    check();
+    file.end_row();
   }
 
 

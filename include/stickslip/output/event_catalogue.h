@@ -7,8 +7,8 @@
 #include <stickslip/output/fault_layout.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
+#include <stickslip/output/table_file.h>
 
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -173,11 +173,10 @@ namespace StickSlip
     /** Values of SlipEvent::nucleation for the nodes of each fault. */
     std::vector<std::vector<std::vector<double>>> positions;
 
-    std::ofstream file;
-    std::string   file_name;
-    double        start_slip_rate;
-    double        end_slip_rate;
-    EventState    memory;
+    TableFile  file;
+    double     start_slip_rate;
+    double     end_slip_rate;
+    EventState memory;
   };
 } // namespace StickSlip
 

@@ -43,10 +43,6 @@ namespace StickSlip
   FileState
   file_state(const std::string &file_name, ByteRanges final_ranges);
 
-  /** The state of a file that is only ever appended to. */
-  FileState
-  file_state(const std::string &file_name);
-
   /**
    * Make the file again as it was. Throws InputError if that is impossible,
    * since it has become shorter than it was or cannot be written.

@@ -36,10 +36,19 @@ namespace StickSlip
     Hdf5Handle &
     operator=(const Hdf5Handle &) = delete;
 
+    /** Leaves the handle open if anything has failed: HDF5 may crash when it
+     * closes a file that it could not write. */
     ~Hdf5Handle()
     {
-      if (id >= 0)
+      if (id >= 0 && !has_failed)
         close(id);
+    }
+
+    /** Take note that HDF5 has failed. */
+    static void
+    note_failure()
+    {
+      has_failed = true;
     }
 
     operator hid_t() const
@@ -48,6 +57,8 @@ namespace StickSlip
     }
 
   private:
+    static bool has_failed;
+
     hid_t  id;
     Closer close;
   };
@@ -81,6 +92,11 @@ namespace StickSlip
       return data_set;
     }
 
+    /** Bytes that the file grows by with the next record, at most; without
+     * tables of HDF5. */
+    std::uint64_t
+    growth() const;
+
     /** Where the file has the chunks that are full, which are not written any
      * more once they are in the file. Empty where this HDF5 does not tell. */
     const ByteRanges &
@@ -91,6 +107,11 @@ namespace StickSlip
     Hdf5Handle           data_set;
     ByteRanges           chunks;
   };
+
+  /** Throw InputError if there is not so much space for a file. HDF5 leaves a
+   * file that nobody can read where it runs out of space. */
+  void
+  require_space(const std::string &file_name, const std::uint64_t n_bytes);
 
   /**
    * Create a file, replacing an existing one. Others may read it meanwhile.

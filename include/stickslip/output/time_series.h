@@ -5,9 +5,8 @@
 #define stickslip_output_time_series_h
 
 #include <stickslip/output/fault_snapshot.h>
-#include <stickslip/output/file_state.h>
+#include <stickslip/output/table_file.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -43,7 +42,7 @@ namespace StickSlip
     FileState
     state() const
     {
-      return file_state(file_name);
+      return file.state();
     }
 
     /**
@@ -53,12 +52,8 @@ namespace StickSlip
     add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);
 
   private:
-    void
-    check() const;
-
-    std::ofstream file;
-    std::string   file_name;
-    unsigned int  n_faults;
+    TableFile    file;
+    unsigned int n_faults;
   };
 } // namespace StickSlip
 
