@@ -297,7 +297,7 @@ def main():
             if name == "sliding":
                 problems += check_damage(runs, settings)
         for problem in problems:
-            print(f"{name}, seed {seed}: {problem}")
+            print(f"{name}, seed {seed}: {problem}", flush=True)
         n_problems += len(problems)
     return 1 if n_problems else 0
 

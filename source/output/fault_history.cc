@@ -177,7 +177,7 @@ namespace StickSlip
         return result;
       }
 
-      /** Where the file has records that are final. */
+      /** Places in the file of records that are final. */
       void
       add_final_ranges(ByteRanges &ranges)
       {

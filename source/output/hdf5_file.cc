@@ -237,7 +237,7 @@ namespace StickSlip
   void
   require_space(const std::string &file_name, const std::uint64_t n_bytes)
   {
-    // What tables of records grow by.
+    // Bytes by which tables of records grow.
     constexpr std::uint64_t of_tables = 32768;
     std::error_code         error;
     const auto              space =

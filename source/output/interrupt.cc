@@ -54,7 +54,7 @@ namespace StickSlip
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
       previous.emplace_back(signal, std::signal(signal, note_signal));
     previous.emplace_back(SIGPIPE, std::signal(SIGPIPE, note_closed_pipe));
-    // Of nohup.
+    // Programs that nohup has started stay as they are.
     for (const auto &[signal, handler] : previous)
       if (signal == SIGHUP && handler == SIG_IGN)
         std::signal(signal, handler);
@@ -64,7 +64,7 @@ namespace StickSlip
 
   Interrupt::~Interrupt()
   {
-    // What is still to be printed has no reader.
+    // Nobody reads what is still to be printed.
     for (const auto &[signal, handler] : previous)
       std::signal(signal,
                   signal == SIGPIPE && pipe_is_closed != 0 ? SIG_IGN : handler);

@@ -124,7 +124,7 @@ namespace StickSlip
      * then. */
     std::unique_ptr<UmfpackFactorisation<n_components>> small_bulk;
     std::unique_ptr<LAPACKFullMatrix<double>>           factors;
-    /** What they are the factors of. */
+    /** Linearisation that they are the factors of. */
     std::vector<Tensor<2, n_components>> factorised_hessians;
     std::vector<bool>                    factorised_active;
   };

@@ -21,7 +21,7 @@ namespace StickSlip
     /** Zero: there is no such file. */
     std::uint64_t size = 0;
 
-    /** Where bytes begin, and these. */
+    /** First byte of each part, and its bytes. */
     std::vector<std::pair<std::uint64_t, std::string>> parts;
 
     /** Members to or from a boost archive. */

@@ -97,8 +97,8 @@ namespace StickSlip
     std::uint64_t
     growth() const;
 
-    /** Where the file has the chunks that are full, which are not written any
-     * more once they are in the file. Empty where this HDF5 does not tell. */
+    /** Places in the file of the chunks that are full, which are not written
+     * any more once they are there. Empty where this HDF5 does not tell. */
     const ByteRanges &
     full_chunks();
 

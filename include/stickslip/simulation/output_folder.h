@@ -12,7 +12,7 @@
 
 namespace StickSlip
 {
-  /** What is to happen to the results that are in the output folder. */
+  /** Fate of the results that are in the output folder. */
   enum class EarlierResults
   {
     refuse,

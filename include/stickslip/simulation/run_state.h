@@ -121,10 +121,10 @@ namespace StickSlip
     /** Times at which the run went on from a checkpoint, s. */
     std::vector<double> restarts;
 
-    /** What the solver of the rate problem keeps from step to step on this
-     * process. Of use on the same number of processes only, and empty after
-     * reading on another: results are the same within the tolerances then, and
-     * not bit by bit. */
+    /** Linearisations that the solver of the rate problem keeps from step to
+     * step on this process. Of use on the same number of processes only, and
+     * empty after reading on another: results are the same within the
+     * tolerances then, and not bit by bit. */
     std::vector<KeptLinearisation<dim>> linearisations;
 
     /** Call @p action with each nodal vector of a state, in a fixed order. */

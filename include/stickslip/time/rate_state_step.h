@@ -56,14 +56,15 @@ namespace StickSlip
          const double            tau,
          const Prediction<dim>  *prediction = nullptr);
 
-    /** What the solver of the rate problem keeps from step to step. */
+    /** Linearisations that the solver of the rate problem keeps from step to
+     * step. */
     std::vector<KeptLinearisation<dim>>
     kept_linearisations() const
     {
       return solver->kept_linearisations();
     }
 
-    /** Take it over from another object for the same problem. Collective. */
+    /** Take them over from another object for the same problem. Collective. */
     void
     recall(const std::vector<KeptLinearisation<dim>> &kept);
 
