@@ -11,6 +11,8 @@
 #include <stickslip/scene/mesh_report.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/scene/scene_writer.h>
+#include <stickslip/simulation/checkpoints.h>
+#include <stickslip/simulation/output_folder.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/version.h>
 
@@ -30,11 +32,34 @@ namespace
 
   template <int dim>
   int
-  run(const SceneReader &reader)
+  run(const SceneReader &reader,
+      const CommandLine &command_line,
+      const bool         is_first_process)
   {
     SceneParameters<dim> scene;
     carry_out_agreed(MPI_COMM_WORLD, [&]() { scene = reader.read<dim>(); });
+    std::string checkpoint;
+    if (command_line.restart)
+      checkpoint = find_checkpoint(scene, MPI_COMM_WORLD);
+    std::unique_ptr<FolderLock> lock;
+    carry_out_agreed(MPI_COMM_WORLD, [&]() {
+      if (is_first_process)
+        lock =
+          claim_output_folder(scene.output.directory,
+                              reader,
+                              command_line.restart ? EarlierResults::go_on :
+                              command_line.overwrite ?
+                                                     EarlierResults::overwrite :
+                                                     EarlierResults::refuse);
+    });
     Simulation<dim> simulation(scene, MPI_COMM_WORLD);
+    if (command_line.restart)
+      {
+        simulation.resume(checkpoint);
+        if (is_first_process)
+          std::cout << "The run goes on from t = " << simulation.state().time
+                    << " s (" << checkpoint << ")." << std::endl;
+      }
     return simulation.run() ? 0 : interrupted;
   }
 
@@ -86,8 +111,10 @@ namespace
             });
             const bool is_check = command_line.task == CommandLine::Task::check;
             if (reader->dimension() == 2)
-              return is_check ? check<2>(*reader, may_print) : run<2>(*reader);
-            return is_check ? check<3>(*reader, may_print) : run<3>(*reader);
+              return is_check ? check<2>(*reader, may_print) :
+                                run<2>(*reader, command_line, may_print);
+            return is_check ? check<3>(*reader, may_print) :
+                              run<3>(*reader, command_line, may_print);
           }
       }
     return 1;

@@ -127,5 +127,6 @@ TEST(ProgramFields, FilesNotAskedForAreNotThere)
                        "--set 'Output/Write volume=false' "
                        "--set 'Output/Time series steps=0'");
   const Outcome files = run_command(folder, "cd output/scene && ls");
-  EXPECT_EQ(files.output, "events.csv\nparameters.prm\nsummary.txt\n");
+  EXPECT_EQ(files.output,
+            "checkpoints\nevents.csv\nparameters.prm\nsummary.txt\n");
 }

@@ -203,7 +203,7 @@ TEST(ProgramRun, WarnsOfConstantStepsThatAreTooLarge)
   expect_part(careless.output, ", more than Time/Tolerance = 3e-06.");
 
   const Outcome informed =
-    run_program(folder, constant + "--set 'Time/Tolerance=1e9'");
+    run_program(folder, constant + "--overwrite --set 'Time/Tolerance=1e9'");
   ASSERT_EQ(informed.exit_status, 0) << informed.errors;
   EXPECT_EQ(informed.output.find("Warning"), std::string::npos);
 }

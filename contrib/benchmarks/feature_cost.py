@@ -25,6 +25,7 @@ import concurrent.futures
 import os
 import pathlib
 import re
+import shutil
 import statistics
 import subprocess
 import tempfile
@@ -114,6 +115,8 @@ def command_line(program, settings, output):
 def run(program, settings, folder):
     """CPU seconds in the program, and what its summary says."""
     output = pathlib.Path(folder) / "run"
+    # Programs of other revisions may not know --overwrite.
+    shutil.rmtree(output, ignore_errors=True)
     command = command_line(program, settings, output)
     process = subprocess.Popen(
         command,

@@ -30,7 +30,7 @@ def start(run, folder, end_time):
     """Start the program; returns what is needed to wait for it."""
     title, scene, overrides = run
     output = pathlib.Path(folder) / re.sub(r"\W+", "_", title)
-    command = [str(programs.PROGRAM), f"parameters/{scene}.prm"]
+    command = [str(programs.PROGRAM), f"parameters/{scene}.prm", "--overwrite"]
     settings = overrides | {"Output/Output directory": output}
     if end_time:
         settings |= {"Time/End time": end_time}

@@ -249,6 +249,47 @@ namespace StickSlip
         factors.reset();
         throw SingularMatrix("the condensed matrix");
       }
+    factorised_hessians = H;
+    factorised_active   = active;
+  }
+
+
+
+  template <int n_components>
+  KeptLinearisation<n_components>
+  CondensedOperator<n_components>::factorised() const
+  {
+    KeptLinearisation<n_components> kept;
+    kept.is_set = (factors != nullptr);
+    if (!kept.is_set)
+      return kept;
+    kept.hessians = factorised_hessians;
+    kept.active   = NodeMask(entries.of_node.size(), n_components);
+    for (unsigned int k = 0; k < entries.of_node.size(); ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          const unsigned int i = entries.of_node[k][c];
+          if (i == numbers::invalid_unsigned_int || !factorised_active[i])
+            kept.active.mask(k, c);
+        }
+    return kept;
+  }
+
+
+
+  template <int n_components>
+  void
+  CondensedOperator<n_components>::recall(
+    const KeptLinearisation<n_components> &kept)
+  {
+    if (!kept.is_set)
+      return;
+    std::vector<bool> active(entries.size());
+    for (unsigned int k = 0; k < entries.of_node.size(); ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (entries.of_node[k][c] != numbers::invalid_unsigned_int)
+          active[entries.of_node[k][c]] = kept.active.is_active(k, c);
+    factorise(kept.hessians, active);
   }
 
 

@@ -115,7 +115,8 @@ namespace StickSlip
     present.version = 0;
     present.condensed.set_matrix(operators.matrix(),
                                  operators.unknowns().fixed);
-    present.version = version;
+    present.version      = version;
+    present.coefficients = operators.coefficients();
     ++condensations;
   }
 
@@ -296,6 +297,35 @@ namespace StickSlip
     w += prescribed;
     for (unsigned int i = 0; i < entries.size(); ++i)
       w.local_element(entries.positions[i]) = values[i];
+  }
+
+
+
+  template <int n_components>
+  std::vector<KeptLinearisation<n_components>>
+  CondensedSolver<n_components>::kept_linearisations() const
+  {
+    std::vector<KeptLinearisation<n_components>> result;
+    for (auto known = condensed_operators.rbegin();
+         known != condensed_operators.rend();
+         ++known)
+      if (known->version != 0)
+        {
+          result.push_back(known->condensed.factorised());
+          result.back().coefficients = known->coefficients;
+        }
+    return result;
+  }
+
+
+
+  template <int n_components>
+  void
+  CondensedSolver<n_components>::recall(
+    const KeptLinearisation<n_components> &kept)
+  {
+    find_operator();
+    condensed_operators.front().condensed.recall(kept);
   }
 
 

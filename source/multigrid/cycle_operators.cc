@@ -98,6 +98,8 @@ namespace StickSlip
         const unsigned int n     = level.matrix.n_rows();
         level.matrix.combine(A.coefficients(), level.terms, 0, n);
         level.active = descriptions[l].fixed;
+        if (!is_shared)
+          level.formed.assign(n, false);
         if (l > 0)
           for (unsigned int i = 0; i < n; ++i)
             {
@@ -186,15 +188,76 @@ namespace StickSlip
           }
       }
     changed = std::move(rows);
+    set_smoother(l - 1, changed);
+  }
 
-    if (l > 1)
-      for (const unsigned int i : changed)
+
+
+  template <int n_components, typename Number>
+  void
+  CycleOperators<n_components, Number>::set_smoother(
+    const unsigned int               l,
+    const std::vector<unsigned int> &rows)
+  {
+    Level &level = levels[l];
+    if (l > 0)
+      for (const unsigned int i : rows)
         {
-          coarse.smoother.set_row(i, coarse.matrix);
-          coarse.smoother.set_diagonal(i,
-                                       coarse.matrix.diagonal_block(i),
-                                       coarse.active);
+          level.smoother.set_row(i, level.matrix);
+          level.smoother.set_diagonal(i,
+                                      level.matrix.diagonal_block(i),
+                                      level.active);
         }
+  }
+
+
+
+  template <int n_components, typename Number>
+  std::vector<std::vector<unsigned int>>
+  CycleOperators<n_components, Number>::formed_rows() const
+  {
+    std::vector<std::vector<unsigned int>> result(levels.size() - 1);
+    for (unsigned int l = 0; l < result.size(); ++l)
+      for (unsigned int i = 0; i < levels[l].formed.size(); ++i)
+        if (levels[l].formed[i])
+          result[l].push_back(i);
+    return result;
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  CycleOperators<n_components, Number>::recall_coarse_levels(
+    const BlockMatrix<n_components>              &A,
+    const NodeMask                               &active,
+    const std::vector<std::vector<unsigned int>> &formed)
+  {
+    if (is_shared || levels.size() == 1)
+      {
+        set_coarse_levels(A, active, {});
+        return;
+      }
+    AssertDimension(formed.size(), levels.size() - 1);
+    for (unsigned int l = levels.size() - 1; l > 0; --l)
+      {
+        const bool      is_finest   = (l + 1 == levels.size());
+        const NodeMask &active_here = is_finest ? active : levels[l].active;
+        Level          &coarse      = levels[l - 1];
+        GalerkinProduct<n_components> &product = *descriptions[l].to_coarser;
+        if (is_finest)
+          product.compute_rows(A, active_here, formed[l - 1], coarse.matrix);
+        else
+          product.compute_rows(levels[l].matrix,
+                               active_here,
+                               formed[l - 1],
+                               coarse.matrix);
+        for (const unsigned int i : formed[l - 1])
+          coarse.formed[i] = true;
+        coarse.active =
+          coarsen_mask(descriptions[l - 1], descriptions[l], active_here);
+        set_smoother(l - 1, formed[l - 1]);
+      }
   }
 
 
@@ -218,6 +281,8 @@ namespace StickSlip
       }
     std::vector<unsigned int> rows = product.rows_from(changed);
     product.compute_rows(matrix, active, rows, coarse.matrix);
+    for (const unsigned int i : rows)
+      coarse.formed[i] = true;
     return rows;
   }
 

@@ -63,7 +63,8 @@ namespace StickSlip
       }
     else if (version == A.version())
       return;
-    version = A.version();
+    version      = A.version();
+    coefficients = A.coefficients();
     cycle->set_operator(A);
     is_linearised     = false;
     coarse_levels_set = false;
@@ -146,6 +147,47 @@ namespace StickSlip
     A.with_hessians(coarse_hessians,
                     [&](const BlockMatrix<n_components> &linearised) {
                       cycle->set_coarse_levels(linearised, active, changed);
+                    });
+    coarse_levels_set = true;
+  }
+
+
+
+  template <int n_components>
+  KeptLinearisation<n_components>
+  LevelHierarchy<n_components>::kept_linearisation() const
+  {
+    KeptLinearisation<n_components> kept;
+    if (!cycle)
+      return kept;
+    kept.coefficients = coefficients;
+    kept.is_set       = coarse_levels_set;
+    if (kept.is_set)
+      {
+        kept.hessians    = coarse_hessians;
+        kept.active      = coarse_active;
+        kept.formed_rows = cycle->formed_rows();
+      }
+    return kept;
+  }
+
+
+
+  template <int n_components>
+  void
+  LevelHierarchy<n_components>::recall(
+    const KeptLinearisation<n_components> &kept)
+  {
+    take_over_operator();
+    if (!kept.is_set)
+      return;
+    coarse_hessians = kept.hessians;
+    coarse_active   = kept.active;
+    A.with_hessians(coarse_hessians,
+                    [&](const BlockMatrix<n_components> &linearised) {
+                      cycle->recall_coarse_levels(linearised,
+                                                  coarse_active,
+                                                  kept.formed_rows);
                     });
     coarse_levels_set = true;
   }

@@ -34,6 +34,15 @@ namespace StickSlip
                         const NodeMask                  &active,
                         const std::vector<unsigned int> &changed) override;
 
+      std::vector<std::vector<unsigned int>>
+      formed_rows() const override;
+
+      void
+      recall_coarse_levels(
+        const BlockMatrix<n_components>              &A,
+        const NodeMask                               &active,
+        const std::vector<std::vector<unsigned int>> &formed) override;
+
       void
       vmult(NodalVector       &x,
             const NodalVector &b,
@@ -133,6 +142,28 @@ namespace StickSlip
       const std::vector<unsigned int> &changed)
     {
       operators.set_coarse_levels(A, active, changed);
+      factorise_coarsest_level();
+    }
+
+
+
+    template <int n_components, typename Number>
+    std::vector<std::vector<unsigned int>>
+    VCycleIn<n_components, Number>::formed_rows() const
+    {
+      return operators.formed_rows();
+    }
+
+
+
+    template <int n_components, typename Number>
+    void
+    VCycleIn<n_components, Number>::recall_coarse_levels(
+      const BlockMatrix<n_components>              &A,
+      const NodeMask                               &active,
+      const std::vector<std::vector<unsigned int>> &formed)
+    {
+      operators.recall_coarse_levels(A, active, formed);
       factorise_coarsest_level();
     }
 

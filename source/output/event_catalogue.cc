@@ -38,10 +38,7 @@ namespace StickSlip
     const double                         start_slip_rate,
     const double                         end_fraction)
     : positions(shapes)
-    , file(file_name,
-           "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
-           "mean_slip" +
-             positions.titles("nucleation"))
+    , file(file_name)
     , start_slip_rate(start_slip_rate)
     , end_slip_rate(end_fraction * start_slip_rate)
   {
@@ -51,6 +48,10 @@ namespace StickSlip
     memory.faults.resize(fault_names.size());
     for (unsigned int i = 0; i < fault_names.size(); ++i)
       memory.faults[i].name = fault_names[i];
+    file << "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
+            "mean_slip" +
+              positions.titles("nucleation");
+    file.end_row();
   }
 
 
@@ -162,11 +163,11 @@ namespace StickSlip
   EventCatalogue<dim>::write(const SlipEvent &event)
   {
     memory.written.push_back(event);
-    file.row() << event.fault << ',' << event.start << ',' << event.peak_time
-               << ',' << event.end << ',' << event.peak_mean_slip_rate << ','
-               << event.peak_slip_rate << ',' << event.mean_slip;
+    file << event.fault << ',' << event.start << ',' << event.peak_time << ','
+         << event.end << ',' << event.peak_mean_slip_rate << ','
+         << event.peak_slip_rate << ',' << event.mean_slip;
     for (const double coordinate : event.nucleation)
-      file.row() << ',' << coordinate;
+      file << ',' << coordinate;
     file.end_row();
   }
 

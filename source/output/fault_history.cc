@@ -9,6 +9,7 @@
 #include <stickslip/output/hdf5_file.h>
 #include <stickslip/version.h>
 
+#include <filesystem>
 #include <fstream>
 
 namespace StickSlip
@@ -153,6 +154,42 @@ namespace StickSlip
         write_arc_length(group, shape);
       }
 
+      /** The group of an earlier run. */
+      FaultGroup(const hid_t                    file,
+                 const FaultSnapshot<dim>      &fault,
+                 const std::vector<FaultField> &wanted)
+        : n_nodes(fault.points.size())
+        , group(open_hdf5_group(file, fault.name))
+        , time(group, "time")
+      {
+        for (const auto &[field, name] : fault_field_names())
+          if (has_field(wanted, field))
+            fields.push_back({field, Hdf5Series(group, name)});
+      }
+
+      /** Bytes that the next record takes, at most. */
+      std::uint64_t
+      growth() const
+      {
+        std::uint64_t result = time.growth();
+        for (const Field &field : fields)
+          result += field.series.growth();
+        return result;
+      }
+
+      /** Places in the file of records that are final. */
+      void
+      add_final_ranges(ByteRanges &ranges)
+      {
+        const auto add = [&](Hdf5Series &series) {
+          const ByteRanges &chunks = series.full_chunks();
+          ranges.insert(ranges.end(), chunks.begin(), chunks.end());
+        };
+        add(time);
+        for (Field &field : fields)
+          add(field.series);
+      }
+
       void
       append(const double new_time, const FaultSnapshot<dim> &fault)
       {
@@ -201,10 +238,24 @@ namespace StickSlip
       flush();
     }
 
+    /** The file of an earlier run. */
+    File(const std::string                     &file_name,
+         const std::vector<FaultSnapshot<dim>> &faults,
+         const std::vector<FaultField>         &fields)
+      : file(open_hdf5_file(file_name))
+    {
+      groups.reserve(faults.size());
+      for (const FaultSnapshot<dim> &fault : faults)
+        groups.emplace_back(file, fault, fields);
+    }
+
     void
     flush()
     {
-      AssertThrow(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0,
+      if (H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0)
+        return;
+      Hdf5Handle::note_failure();
+      AssertThrow(false,
                   ExcMessage("HDF5 failed to write the faults' records."));
     }
 
@@ -220,12 +271,29 @@ namespace StickSlip
                                   const std::vector<FaultSnapshot<dim>> &faults,
                                   const std::vector<FaultLayout<dim>>   &shapes,
                                   const std::vector<FaultField>         &fields)
+    : file_name(file_name)
   {
     AssertDimension(faults.size(), shapes.size());
-    // HDF5 would print a stack of its own.
+    std::uint64_t size = 0;
+    for (const FaultSnapshot<dim> &fault : faults)
+      size += fault.points.size() * dim * 8 * sizeof(double);
+    require_space(file_name, size);
     if (!std::ofstream(file_name))
       throw InputError("The file '" + file_name + "' cannot be written.");
     file = std::make_unique<File>(file_name, faults, shapes, fields);
+  }
+
+
+
+  template <int dim>
+  FaultHistory<dim>::FaultHistory(const std::string &file_name,
+                                  const std::vector<FaultSnapshot<dim>> &faults,
+                                  const std::vector<FaultField>         &fields,
+                                  const FileState &earlier)
+    : file_name(file_name)
+  {
+    restore_file(file_name, earlier);
+    file = std::make_unique<File>(file_name, faults, fields);
   }
 
 
@@ -236,11 +304,33 @@ namespace StickSlip
 
 
   template <int dim>
+  FileState
+  FaultHistory<dim>::state() const
+  {
+    file->flush();
+    ByteRanges final_ranges;
+    for (FaultGroup<dim> &group : file->groups)
+      group.add_final_ranges(final_ranges);
+    return file_state(file_name, final_ranges);
+  }
+
+
+
+  template <int dim>
   void
   FaultHistory<dim>::add(const double                           time,
                          const std::vector<FaultSnapshot<dim>> &faults)
   {
     AssertDimension(faults.size(), file->groups.size());
+    std::uint64_t growth = 0;
+    for (const FaultGroup<dim> &group : file->groups)
+      growth += group.growth();
+    require_space(file_name, growth);
+    // HDF5 would go on writing to a file that has been deleted.
+    std::error_code error;
+    if (!std::filesystem::exists(file_name, error))
+      throw InputError("The file '" + file_name +
+                       "' cannot be written (it is not there any more).");
     for (unsigned int i = 0; i < faults.size(); ++i)
       file->groups[i].append(time, faults[i]);
     file->flush();

@@ -3,9 +3,11 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/hdf5_file.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <numeric>
 #include <type_traits>
@@ -19,7 +21,10 @@ namespace StickSlip
     void
     require(const bool success, const std::string &what)
     {
-      AssertThrow(success, ExcMessage("HDF5 failed to " + what + "."));
+      if (success)
+        return;
+      Hdf5Handle::note_failure();
+      AssertThrow(false, ExcMessage("HDF5 failed to " + what + "."));
     }
 
 
@@ -84,6 +89,10 @@ namespace StickSlip
 
 
 
+  bool Hdf5Handle::has_failed = false;
+
+
+
   Hdf5Handle::Hdf5Handle(const hid_t        id,
                          const Closer       close,
                          const std::string &what)
@@ -111,6 +120,56 @@ namespace StickSlip
     , data_set(create_series(group, name, record_shape))
   {
     shape.insert(shape.end(), record_shape.begin(), record_shape.end());
+  }
+
+
+
+  Hdf5Series::Hdf5Series(const hid_t group, const std::string &name)
+    : data_set(H5Dopen2(group, name.c_str(), H5P_DEFAULT),
+               H5Dclose,
+               "open the data set '" + name + "'")
+  {
+    const std::string what = "describe the data set '" + name + "'";
+    const Hdf5Handle  space(H5Dget_space(data_set), H5Sclose, what);
+    shape.resize(H5Sget_simple_extent_ndims(space));
+    require(H5Sget_simple_extent_dims(space, shape.data(), nullptr) > 0, what);
+  }
+
+
+
+  std::uint64_t
+  Hdf5Series::growth() const
+  {
+    const std::vector<hsize_t> record_shape(shape.begin() + 1, shape.end());
+    const hsize_t              length = chunk_length(record_shape);
+    return shape[0] % length > 0 ?
+             0 :
+             sizeof(double) * length * n_entries(record_shape);
+  }
+
+
+
+  const ByteRanges &
+  Hdf5Series::full_chunks()
+  {
+#if H5_VERSION_GE(1, 10, 5)
+    const hsize_t length =
+      chunk_length(std::vector<hsize_t>(shape.begin() + 1, shape.end()));
+    std::vector<hsize_t> offset(shape.size(), 0);
+    while ((chunks.size() + 1) * length <= shape[0])
+      {
+        offset[0]        = chunks.size() * length;
+        haddr_t  address = HADDR_UNDEF;
+        hsize_t  n_bytes = 0;
+        unsigned filters = 0;
+        require(H5Dget_chunk_info_by_coord(
+                  data_set, offset.data(), &filters, &address, &n_bytes) >= 0 &&
+                  address != HADDR_UNDEF,
+                "find a record");
+        chunks.emplace_back(address, n_bytes);
+      }
+#endif
+    return chunks;
   }
 
 
@@ -151,18 +210,71 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** Without a lock, somebody may look at the file while the run goes on, and
+     * file systems that know no locks are no obstacle. */
+    Hdf5Handle
+    access_without_lock(const std::string &file_name)
+    {
+      // Handles close themselves, and errors are thrown.
+      static const herr_t no_closing_at_exit = H5dont_atexit();
+      (void)no_closing_at_exit;
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+      Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS),
+                        H5Pclose,
+                        "describe the file '" + file_name + "'");
+#if H5_VERSION_GE(1, 10, 7)
+      require(H5Pset_file_locking(access, false, true) >= 0,
+              "turn off the lock of '" + file_name + "'");
+#endif
+      return access;
+    }
+  } // namespace
+
+
+
+  void
+  require_space(const std::string &file_name, const std::uint64_t n_bytes)
+  {
+    // Bytes by which tables of records grow.
+    constexpr std::uint64_t of_tables = 32768;
+    std::error_code         error;
+    const auto              space =
+      std::filesystem::space(std::filesystem::path(file_name).parent_path(),
+                             error);
+    if (!error && space.available < n_bytes + of_tables)
+      throw InputError("The file '" + file_name +
+                       "' cannot be written (no space left).");
+  }
+
+
+
+  Hdf5Handle
+  open_hdf5_file(const std::string &file_name)
+  {
+    const Hdf5Handle access = access_without_lock(file_name);
+    return Hdf5Handle(H5Fopen(file_name.c_str(), H5F_ACC_RDWR, access),
+                      H5Fclose,
+                      "open the file '" + file_name + "'");
+  }
+
+
+
+  Hdf5Handle
+  open_hdf5_group(const hid_t parent, const std::string &name)
+  {
+    return Hdf5Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT),
+                      H5Gclose,
+                      "open the group '" + name + "'");
+  }
+
+
+
   Hdf5Handle
   create_hdf5_file(const std::string &file_name)
   {
-    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS),
-                            H5Pclose,
-                            "describe the file '" + file_name + "'");
-#if H5_VERSION_GE(1, 10, 7)
-    // Without a lock, somebody may look at the file while the run goes on, and
-    // file systems that know no locks are no obstacle.
-    require(H5Pset_file_locking(access, false, true) >= 0,
-            "turn off the lock of '" + file_name + "'");
-#endif
+    const Hdf5Handle access = access_without_lock(file_name);
     return Hdf5Handle(
       H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
       H5Fclose,

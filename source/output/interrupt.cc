@@ -11,6 +11,7 @@ namespace StickSlip
   namespace
   {
     volatile std::sig_atomic_t signal_received = 0;
+    volatile std::sig_atomic_t pipe_is_closed  = 0;
     volatile std::time_t       time_of_signal  = 0;
 
     // A terminal and mpirun may both tell the same, s.
@@ -33,23 +34,40 @@ namespace StickSlip
           std::raise(signal);
         }
     }
+
+
+
+    /** Each line of progress brings this signal anew. */
+    extern "C" void
+    note_closed_pipe(int)
+    {
+      pipe_is_closed  = 1;
+      signal_received = 1;
+    }
   } // namespace
 
 
 
   Interrupt::Interrupt()
   {
-    signal_received    = 0;
-    previous_interrupt = std::signal(SIGINT, note_signal);
-    previous_terminate = std::signal(SIGTERM, note_signal);
+    signal_received = 0;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      previous.emplace_back(signal, std::signal(signal, note_signal));
+    previous.emplace_back(SIGPIPE, std::signal(SIGPIPE, note_closed_pipe));
+    // Programs that nohup has started stay as they are.
+    for (const auto &[signal, handler] : previous)
+      if (signal == SIGHUP && handler == SIG_IGN)
+        std::signal(signal, handler);
   }
 
 
 
   Interrupt::~Interrupt()
   {
-    std::signal(SIGINT, previous_interrupt);
-    std::signal(SIGTERM, previous_terminate);
+    // Nobody reads what is still to be printed.
+    for (const auto &[signal, handler] : previous)
+      std::signal(signal,
+                  signal == SIGPIPE && pipe_is_closed != 0 ? SIG_IGN : handler);
   }
 
 

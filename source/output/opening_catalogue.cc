@@ -32,10 +32,11 @@ namespace StickSlip
     const std::vector<FaultLayout<dim>> &shapes,
     const double                         threshold)
     : positions(shapes)
-    , file(file_name,
-           "fault,opens,peak_time,closes,largest_gap,largest_open_area" +
-             positions.titles("begins") + positions.titles("widest"))
+    , file(file_name)
   {
+    file << "fault,opens,peak_time,closes,largest_gap,largest_open_area" +
+              positions.titles("begins") + positions.titles("widest");
+    file.end_row();
     for (const FaultLayout<dim> &shape : shapes)
       thresholds.push_back(threshold > 0 ? threshold :
                                            default_threshold * extent(shape));
@@ -140,12 +141,12 @@ namespace StickSlip
   OpeningCatalogue<dim>::write(const Opening &opening)
   {
     memory.written.push_back(opening);
-    file.row() << opening.fault << ',' << opening.opens << ','
-               << opening.peak_time << ',' << opening.closes << ','
-               << opening.largest_gap << ',' << opening.largest_open_area;
+    file << opening.fault << ',' << opening.opens << ',' << opening.peak_time
+         << ',' << opening.closes << ',' << opening.largest_gap << ','
+         << opening.largest_open_area;
     for (const auto *position : {&opening.begins_at, &opening.widest_at})
       for (const double coordinate : *position)
-        file.row() << ',' << coordinate;
+        file << ',' << coordinate;
     file.end_row();
   }
 

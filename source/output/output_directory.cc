@@ -42,29 +42,91 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    bool
+    is_field_file(const std::filesystem::path &name)
+    {
+      const std::string text      = name.filename().string();
+      const std::string extension = name.extension().string();
+      return (text.rfind("solution", 0) == 0 || text.rfind("fault_", 0) == 0) &&
+             (extension == ".vtu" || extension == ".pvtu");
+    }
+
+
+
+    /** True if a run, or a figure of it, has this name. */
+    bool
+    is_result(const std::filesystem::path &name)
+    {
+      static const std::set<std::string> names = {"time_series.csv",
+                                                  "events.csv",
+                                                  "openings.csv",
+                                                  "faults.h5",
+                                                  "solution.pvd",
+                                                  "faults.pvd",
+                                                  "parameters.prm",
+                                                  "summary.txt",
+                                                  "checkpoints",
+                                                  "run.png"};
+      return names.count(name.filename().string()) > 0 || is_field_file(name);
+    }
+  } // namespace
+
+
+
+  std::vector<std::filesystem::path>
+  OutputDirectory::results() const
+  {
+    std::vector<std::filesystem::path> found;
+    for (const auto &item : std::filesystem::directory_iterator(path))
+      if (is_result(item.path()))
+        found.push_back(item.path());
+    return found;
+  }
+
+
+
   void
   OutputDirectory::remove_earlier_results() const
   {
-    static const std::set<std::string> names = {"time_series.csv",
-                                                "events.csv",
-                                                "openings.csv",
-                                                "faults.h5",
-                                                "solution.pvd",
-                                                "faults.pvd",
-                                                "parameters.prm",
-                                                "summary.txt"};
-    std::error_code                    error;
-    std::set<std::filesystem::path>    doomed;
-    for (const auto &item : std::filesystem::directory_iterator(path))
-      {
-        const std::string name      = item.path().filename().string();
-        const std::string extension = item.path().extension().string();
-        if (names.count(name) > 0 ||
-            ((name.rfind("solution", 0) == 0 || name.rfind("fault_", 0) == 0) &&
-             (extension == ".vtu" || extension == ".pvtu")))
-          doomed.insert(item.path());
-      }
-    for (const std::filesystem::path &file : doomed)
-      std::filesystem::remove(file, error);
+    std::error_code error;
+    for (const std::filesystem::path &item : results())
+      std::filesystem::remove_all(item, error);
+  }
+
+
+
+  void
+  OutputDirectory::remove_later_results(const VolumeEntries &kept) const
+  {
+    std::set<std::string> names;
+    for (const auto &entry : kept)
+      names.insert(entry.second);
+    std::error_code error;
+    for (const std::filesystem::path &item : results())
+      if (item.filename() == "summary.txt" ||
+          (is_field_file(item) && names.count(item.filename().string()) == 0))
+        std::filesystem::remove(item, error);
+  }
+
+
+
+  bool
+  OutputDirectory::has_results() const
+  {
+    return !results().empty();
+  }
+
+
+
+  bool
+  OutputDirectory::would_replace(const std::string &file_name) const
+  {
+    std::error_code             error;
+    const std::filesystem::path file =
+      std::filesystem::canonical(file_name, error);
+    return !error && is_result(file) &&
+           std::filesystem::equivalent(file.parent_path(), path, error);
   }
 } // namespace StickSlip

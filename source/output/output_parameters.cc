@@ -132,6 +132,27 @@ namespace StickSlip
                "An opening begins when the largest gap of a fault rises above "
                "this, in m, and ends when it falls below half of it; 0: 1e-8 "
                "of the fault's extent.");
+    add_number(prm,
+               "Checkpoint interval",
+               checkpoint_interval,
+               NumberRange().at_least(0),
+               "A checkpoint is written, from which '--restart' goes on, when "
+               "the simulated time passes a multiple of this, in s; 0: not for "
+               "this reason.");
+    add_number(prm,
+               "Checkpoint wall time",
+               checkpoint_wall_time,
+               NumberRange().at_least(0),
+               "A checkpoint is written when the program has run for this long "
+               "since the last one, in s; 0: not for this reason.");
+    add_count(prm,
+              "Checkpoints kept",
+              checkpoints_kept,
+              0,
+              1000000,
+              "The last so many checkpoints stay, without unit; where there "
+              "are any, one is also written when a run ends or is "
+              "interrupted; 0: none are written.");
     add_switch(prm,
                "Energy balance",
                energy_balance,

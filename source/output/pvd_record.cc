@@ -15,7 +15,24 @@ namespace StickSlip
   {
     for (const std::string &name : vtu_file_names)
       files.emplace_back(time, name);
+    write();
+  }
 
+
+
+  void
+  PvdRecord::resume(const VolumeEntries &entries)
+  {
+    files = entries;
+    if (!files.empty())
+      write();
+  }
+
+
+
+  void
+  PvdRecord::write() const
+  {
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
     text << "<?xml version=\"1.0\"?>\n"

@@ -45,7 +45,20 @@ namespace StickSlip
   template <int dim>
   TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
                               const std::vector<FaultSnapshot<dim>> &faults)
-    : file(file_name, titles(faults))
+    : file(file_name)
+    , n_faults(faults.size())
+  {
+    file << titles(faults);
+    file.end_row();
+  }
+
+
+
+  template <int dim>
+  TimeSeries<dim>::TimeSeries(const std::string                     &file_name,
+                              const std::vector<FaultSnapshot<dim>> &faults,
+                              const FileState                       &earlier)
+    : file(file_name, earlier)
     , n_faults(faults.size())
   {}
 
@@ -58,25 +71,23 @@ namespace StickSlip
   {
     AssertDimension(faults.size(), n_faults);
 
-    file.row() << step.step << ',' << step.time << ',' << step.step_size << ','
-               << step.rate_state_iterations << ',' << step.tnnmg_iterations
-               << ',' << step.multigrid_cycles;
+    file << step.step << ',' << step.time << ',' << step.step_size << ','
+         << step.rate_state_iterations << ',' << step.tnnmg_iterations << ','
+         << step.multigrid_cycles;
     for (const FaultSnapshot<dim> &fault : faults)
       {
         const FaultStatistics statistics = fault_statistics(fault);
-        file.row() << ',' << statistics.max_slip_rate << ','
-                   << statistics.mean_slip_rate << ','
-                   << statistics.min_slip_rate << ',' << statistics.mean_slip
-                   << ',' << statistics.mean_state << ','
-                   << statistics.mean_shear_traction;
+        file << ',' << statistics.max_slip_rate << ','
+             << statistics.mean_slip_rate << ',' << statistics.min_slip_rate
+             << ',' << statistics.mean_slip << ',' << statistics.mean_state
+             << ',' << statistics.mean_shear_traction;
         if (fault.may_open())
           {
             const OpeningStatistics opening = opening_statistics(fault);
-            file.row() << ',' << opening.largest_gap << ','
-                       << opening.open_area;
+            file << ',' << opening.largest_gap << ',' << opening.open_area;
           }
         else if (!std::isnan(fault.largest_gap))
-          file.row() << ',' << fault.largest_gap;
+          file << ',' << fault.largest_gap;
       }
     file.end_row();
   }

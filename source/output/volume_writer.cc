@@ -8,10 +8,11 @@
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <stickslip/output/atomic_file.h>
 #include <stickslip/output/volume_writer.h>
 
-#include <fstream>
 #include <list>
+#include <sstream>
 
 namespace StickSlip
 {
@@ -279,13 +280,9 @@ namespace StickSlip
 
     const std::string name =
       "solution_" + Utilities::int_to_string(number, 5) + ".vtu";
-    std::ofstream file(directory + "/" + name);
-    // The library has much to say on a stream it cannot use.
-    if (file)
-      all.write_vtu(file);
-    AssertThrow(file.good(),
-                ExcMessage("The file '" + directory + "/" + name +
-                           "' could not be written."));
+    std::ostringstream content;
+    all.write_vtu(content);
+    write_file_atomically(directory + "/" + name, content.str());
     return name;
   }
 

@@ -124,6 +124,7 @@ namespace StickSlip
         assignment.entry    = squeeze(rest.substr(0, equals));
         assignment.value    = Utilities::trim(rest.substr(equals + 1));
         assignment.origin   = here();
+        assignment.file     = file_name;
         assignment.folder =
           std::filesystem::path(file_name).parent_path().string();
 

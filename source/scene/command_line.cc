@@ -27,6 +27,10 @@ namespace StickSlip
           command_line.overrides.push_back(argument.substr(set.size() + 1));
         else if (argument == "--check")
           is_check = true;
+        else if (argument == "--restart")
+          command_line.restart = true;
+        else if (argument == "--overwrite")
+          command_line.overwrite = true;
         else if (argument == "--help" || argument == "-h")
           is_help = true;
         else if (argument == "--version")
@@ -36,8 +40,8 @@ namespace StickSlip
         else if (argument.rfind("-", 0) == 0)
           throw InputError(
             "'" + argument +
-            "': there is no such option; allowed are --set, "
-            "--check, --help, --version and --parameter-reference.");
+            "': there is no such option; allowed are --set, --restart, "
+            "--overwrite, --check, --help, --version and --parameter-reference.");
         else if (!command_line.parameter_file.empty())
           throw InputError("'" + argument +
                            "': a parameter file is already "
@@ -56,6 +60,9 @@ namespace StickSlip
     else if (command_line.parameter_file.empty())
       throw InputError("No parameter file is given; the program is called as "
                        "'stickslip FILE.prm', see 'stickslip --help'.");
+    else if (command_line.restart && command_line.overwrite)
+      throw InputError("--restart goes on with the results that are there, "
+                       "--overwrite replaces them; one of both is allowed.");
     else if (is_check)
       command_line.task = CommandLine::Task::check;
     return command_line;
@@ -71,6 +78,10 @@ namespace StickSlip
            "Simulates the fault system that the parameter file describes.\n\n"
            "  --set PATH=VALUE        override an entry of the file; may be "
            "repeated\n"
+           "  --restart               go on with the run whose results are in "
+           "the output\n"
+           "                          directory, from its last checkpoint\n"
+           "  --overwrite             replace results that are there\n"
            "  --check                 print bodies, sides and faults, and "
            "write pictures of\n"
            "                          the meshes into the output directory, "

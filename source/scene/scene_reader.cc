@@ -447,6 +447,33 @@ namespace StickSlip
 
 
 
+  std::vector<std::string>
+  SceneReader::input_files() const
+  {
+    std::set<std::string> files = {file_name};
+    for (const Assignment &assignment : assignments)
+      {
+        if (!assignment.file.empty())
+          files.insert(assignment.file);
+        // Names of files stand between blanks, commas, quotes and brackets.
+        std::string value = assignment.value;
+        for (char &c : value)
+          if (std::string(",;:'\"()").find(c) != std::string::npos)
+            c = ' ';
+        for (const std::string &word : Utilities::split_string_list(value, ' '))
+          {
+            const std::filesystem::path file =
+              std::filesystem::path(assignment.folder) / word;
+            std::error_code error;
+            if (!word.empty() && std::filesystem::is_regular_file(file, error))
+              files.insert(file.string());
+          }
+      }
+    return {files.begin(), files.end()};
+  }
+
+
+
   template SceneParameters<2>
   SceneReader::read() const;
   template SceneParameters<3>

@@ -90,6 +90,26 @@ namespace StickSlip
 
 
   template <int dim>
+  SceneEntries
+  entries_of(const SceneParameters<dim> &scene)
+  {
+    SceneParameters<dim> copy = scene;
+    ParameterHandler     prm;
+    declare_scene(prm, copy);
+    SceneEntries entries;
+    for (const DeclaredEntry &entry : declared_entries(prm))
+      {
+        std::string path;
+        for (const std::string &section : entry.sections)
+          path += section + "/";
+        entries[path + entry.name] = entry.default_value;
+      }
+    return entries;
+  }
+
+
+
+  template <int dim>
   void
   write_parameters(const SceneParameters<dim> &scene,
                    const std::string          &file_name)
@@ -164,4 +184,6 @@ namespace StickSlip
   write_parameters(const SceneParameters<2> &, std::ostream &);
   template void
   write_parameters(const SceneParameters<3> &, std::ostream &);
+  template decltype(entries_of<2>) entries_of<2>;
+  template decltype(entries_of<3>) entries_of<3>;
 } // namespace StickSlip

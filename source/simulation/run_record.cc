@@ -22,10 +22,19 @@ namespace StickSlip
   namespace
   {
     OutputDirectory
-    prepared_directory(const std::string &path)
+    prepared_directory(const std::string &path, const RecordState *earlier)
     {
       OutputDirectory directory(path);
-      directory.remove_earlier_results();
+      if (earlier == nullptr)
+        directory.remove_earlier_results();
+      else
+        {
+          VolumeEntries kept = earlier->volumes;
+          kept.insert(kept.end(),
+                      earlier->surfaces.begin(),
+                      earlier->surfaces.end());
+          directory.remove_later_results(kept);
+        }
       return directory;
     }
 
@@ -79,8 +88,9 @@ namespace StickSlip
   template <int dim>
   RunRecord<dim>::Files::Files(const SceneParameters<dim>            &scene,
                                const std::vector<FaultSnapshot<dim>> &faults,
-                               const std::vector<FaultLayout<dim>>   &shapes)
-    : directory(prepared_directory(scene.output.directory))
+                               const std::vector<FaultLayout<dim>>   &shapes,
+                               const RecordState                     *earlier)
+    : directory(prepared_directory(scene.output.directory, earlier))
     , catalogue(directory.file("events.csv"),
                 names_of(scene.faults),
                 shapes,
@@ -90,15 +100,22 @@ namespace StickSlip
     , surfaces(directory.file("faults.pvd"))
     , progress(std::cout, isatty(STDOUT_FILENO) == 1, scene.time.end_time)
   {
+    const std::string series_file  = directory.file("time_series.csv"),
+                      history_file = directory.file("faults.h5");
     if (scene.output.time_series_steps > 0)
-      time_series =
-        std::make_unique<TimeSeries<dim>>(directory.file("time_series.csv"),
-                                          faults);
+      time_series = earlier != nullptr && earlier->time_series.size > 0 ?
+                      std::make_unique<TimeSeries<dim>>(series_file,
+                                                        faults,
+                                                        earlier->time_series) :
+                      std::make_unique<TimeSeries<dim>>(series_file, faults);
     if (scene.output.write_faults)
-      history = std::make_unique<FaultHistory<dim>>(directory.file("faults.h5"),
-                                                    faults,
-                                                    shapes,
-                                                    scene.output.fault_fields);
+      history = earlier != nullptr && earlier->history.size > 0 ?
+                  std::make_unique<FaultHistory<dim>>(history_file,
+                                                      faults,
+                                                      scene.output.fault_fields,
+                                                      earlier->history) :
+                  std::make_unique<FaultHistory<dim>>(
+                    history_file, faults, shapes, scene.output.fault_fields);
     if (std::any_of(faults.begin(), faults.end(), [](const auto &fault) {
           return fault.may_open();
         }))
@@ -106,6 +123,14 @@ namespace StickSlip
         std::make_unique<OpeningCatalogue<dim>>(directory.file("openings.csv"),
                                                 shapes,
                                                 scene.output.opening_threshold);
+    if (earlier != nullptr)
+      {
+        catalogue.resume(earlier->events);
+        if (openings)
+          openings->resume(earlier->openings);
+        volumes.resume(earlier->volumes);
+        surfaces.resume(earlier->surfaces);
+      }
     write_parameters(scene, directory.file("parameters.prm"));
   }
 
@@ -114,7 +139,8 @@ namespace StickSlip
   template <int dim>
   RunRecord<dim>::RunRecord(const SceneParameters<dim>            &scene,
                             const ContactSpace<dim>               &space,
-                            const std::vector<FaultSnapshot<dim>> &faults)
+                            const std::vector<FaultSnapshot<dim>> &faults,
+                            const RecordState                     *earlier)
     : scene(scene)
     , space(space)
     , communicator(space.meshes().finest().nodes.communicator())
@@ -125,8 +151,20 @@ namespace StickSlip
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         files = std::make_unique<Files>(scene,
                                         faults,
-                                        make_fault_layouts(space.jump_basis()));
+                                        make_fault_layouts(space.jump_basis()),
+                                        earlier);
     });
+    if (earlier == nullptr)
+      return;
+    fault_cadence.resume(earlier->fault_cadence);
+    volume_cadence.resume(earlier->volume_cadence);
+    last_faults      = faults;
+    last_step        = earlier->last_step;
+    last_slip_rate   = earlier->last_slip_rate;
+    in_time_series   = earlier->in_time_series;
+    in_fault_history = earlier->in_fault_history;
+    in_fields        = earlier->in_fields;
+    n_missed         = earlier->n_missed;
   }
 
 
@@ -314,36 +352,28 @@ namespace StickSlip
   RunRecord<dim>::state() const
   {
     RecordState state;
-    state.fault_cadence  = fault_cadence.state();
-    state.volume_cadence = volume_cadence.state();
-    if (files)
-      {
-        state.events = files->catalogue.state();
-        if (files->openings)
-          state.openings = files->openings->state();
-        state.volumes  = files->volumes.entries();
-        state.surfaces = files->surfaces.entries();
-      }
-    return state;
-  }
-
-
-
-  template <int dim>
-  void
-  RunRecord<dim>::resume(const RecordState &state)
-  {
-    fault_cadence.resume(state.fault_cadence);
-    volume_cadence.resume(state.volume_cadence);
+    state.fault_cadence    = fault_cadence.state();
+    state.volume_cadence   = volume_cadence.state();
+    state.last_step        = last_step;
+    state.last_slip_rate   = last_slip_rate;
+    state.in_time_series   = in_time_series;
+    state.in_fault_history = in_fault_history;
+    state.in_fields        = in_fields;
+    state.n_missed         = n_missed;
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;
-      files->catalogue.resume(state.events);
+      state.events = files->catalogue.state();
       if (files->openings)
-        files->openings->resume(state.openings);
-      files->volumes.resume(state.volumes);
-      files->surfaces.resume(state.surfaces);
+        state.openings = files->openings->state();
+      state.volumes  = files->volumes.entries();
+      state.surfaces = files->surfaces.entries();
+      if (files->time_series)
+        state.time_series = files->time_series->state();
+      if (files->history)
+        state.history = files->history->state();
     });
+    return state;
   }
 
 

@@ -6,11 +6,13 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <stickslip/base/agreement.h>
+#include <stickslip/base/checksum.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/simulation/run_state_file.h>
@@ -22,13 +24,11 @@ namespace StickSlip
 {
   namespace
   {
-    /** First line of each file. */
-    const std::string first_line = "stickslip run state";
-
-
-
-    /** Version of the format, to be changed with anything that is written. */
-    constexpr unsigned int format_version = 3;
+    /** First word of each file; version of the format, to be changed with
+     * anything that is written, size and checksum of all that follows the line
+     * come next. */
+    const std::string  first_word     = "stickslip-run-state";
+    constexpr unsigned format_version = 5;
 
 
 
@@ -36,22 +36,23 @@ namespace StickSlip
     template <int dim>
     struct Header
     {
-      unsigned int       version   = format_version;
       unsigned int       dimension = dim;
       unsigned long long n_nodes   = 0;
+      /** Of the positions of all vertices. */
+      std::uint32_t checksum = 0;
 
       bool
       operator==(const Header &other) const
       {
-        return version == other.version && dimension == other.dimension &&
-               n_nodes == other.n_nodes;
+        return dimension == other.dimension && n_nodes == other.n_nodes &&
+               checksum == other.checksum;
       }
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &version &dimension &n_nodes;
+        archive &dimension &n_nodes &checksum;
       }
     };
 
@@ -63,7 +64,38 @@ namespace StickSlip
     {
       Header<dim> result;
       result.n_nodes = level.n_nodes();
+      for (const auto &body : level.bodies)
+        for (const Point<dim> &vertex : body->triangulation().get_vertices())
+          result.checksum = crc32(&vertex, sizeof(vertex), result.checksum);
       return result;
+    }
+
+
+
+    /** All that follows the first line of a file, if it is whole. */
+    std::string
+    content_of(const std::string &file_name)
+    {
+      std::ifstream file(file_name, std::ios::binary);
+      std::string   line, word;
+      std::getline(file, line);
+      std::istringstream words(line);
+      unsigned int       version  = 0;
+      std::size_t        size     = 0;
+      std::uint32_t      checksum = 0;
+      if (!(words >> word >> version >> size >> checksum) || word != first_word)
+        throw InputError("The file '" + file_name +
+                         "' is not the state of a run.");
+      if (version != format_version)
+        throw InputError("The file '" + file_name +
+                         "' is the state of a run by another version of the "
+                         "program.");
+      std::ostringstream content;
+      content << file.rdbuf();
+      if (content.str().size() != size || crc32(content.str()) != checksum)
+        throw InputError("The file '" + file_name +
+                         "' with the state of a run is damaged.");
+      return content.str();
     }
 
 
@@ -127,25 +159,42 @@ namespace StickSlip
   void
   write_run_state(const std::string    &file_name,
                   const RunState<dim>  &state,
-                  const MeshLevel<dim> &level)
+                  const MeshLevel<dim> &level,
+                  const SceneEntries   &entries)
   {
     std::vector<std::vector<double>> vectors;
     RunState<dim>::for_each_vector(state, [&](const NodalVector &vector) {
       vectors.push_back(in_order_of_meshes(vector, level));
     });
     const MPI_Comm communicator = level.nodes.communicator();
+    const std::vector<std::vector<KeptLinearisation<dim>>> linearisations =
+      Utilities::MPI::gather(communicator, state.linearisations);
     carry_out_agreed(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       std::ostringstream content;
-      content << first_line << '\n';
       {
         boost::archive::binary_oarchive archive(content);
         const Header<dim>               start = header(level);
-        archive << start << state << vectors;
+        archive << entries << start << state << vectors << linearisations;
       }
-      write_file_atomically(file_name, content.str());
+      std::ostringstream line;
+      line << first_word << ' ' << format_version << ' ' << content.str().size()
+           << ' ' << crc32(content.str()) << '\n';
+      write_file_atomically(file_name, line.str() + content.str());
     });
+  }
+
+
+
+  SceneEntries
+  run_state_entries(const std::string &file_name)
+  {
+    std::istringstream              content(content_of(file_name));
+    boost::archive::binary_iarchive archive(content);
+    SceneEntries                    entries;
+    archive >> entries;
+    return entries;
   }
 
 
@@ -154,24 +203,21 @@ namespace StickSlip
   RunState<dim>
   read_run_state(const std::string &file_name, const MeshLevel<dim> &level)
   {
-    RunState<dim>                    state;
-    std::vector<std::vector<double>> vectors;
+    RunState<dim>                                    state;
+    std::vector<std::vector<double>>                 vectors;
+    std::vector<std::vector<KeptLinearisation<dim>>> linearisations;
     carry_out_agreed(level.nodes.communicator(), [&]() {
-      std::ifstream file(file_name, std::ios::binary);
-      std::string   line;
-      if (!std::getline(file, line) || line != first_line)
-        throw InputError("The file '" + file_name +
-                         "' is not the state of a run.");
+      std::istringstream content(content_of(file_name));
       try
         {
-          boost::archive::binary_iarchive archive(file);
+          boost::archive::binary_iarchive archive(content);
+          SceneEntries                    entries;
           Header<dim>                     start;
-          archive >> start;
+          archive >> entries >> start;
           if (!(start == header(level)))
             throw InputError("The file '" + file_name +
-                             "' is not the state of a run with these meshes "
-                             "by this version of the program.");
-          archive >> state >> vectors;
+                             "' is not the state of a run with these meshes.");
+          archive >> state >> vectors >> linearisations;
         }
       catch (const InputError &)
         {
@@ -189,6 +235,10 @@ namespace StickSlip
         vector = nodal_vector(*values, level);
       ++values;
     });
+    const MPI_Comm communicator = level.nodes.communicator();
+    if (linearisations.size() == Utilities::MPI::n_mpi_processes(communicator))
+      state.linearisations = std::move(
+        linearisations[Utilities::MPI::this_mpi_process(communicator)]);
     return state;
   }
 

@@ -5,10 +5,12 @@
 
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/agreement.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/output/interrupt.h>
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_checks.h>
+#include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/contact_change.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_state.h>
@@ -94,18 +96,44 @@ namespace StickSlip
 
     // From here on a signal ends the run after the current step.
     const Interrupt interrupt;
+    must_stop = [&]() { return interrupt.is_requested(communicator); };
+    step_size_controller->stop_if(must_stop);
+    Checkpoints checkpoints(scene.output, state().time, communicator);
     try
       {
-        while (!is_finished() && !interrupt.is_requested(communicator))
-          advance();
+        bool is_written = false;
+        while (!is_finished() && !must_stop())
+          {
+            try
+              {
+                advance();
+              }
+            catch (const StepInterrupted &)
+              {
+                break;
+              }
+            is_written = checkpoints.is_due(state().time);
+            if (is_written)
+              write_checkpoint(checkpoints);
+          }
+        if (checkpoints.are_written() && !is_written)
+          write_checkpoint(checkpoints);
       }
     catch (const std::exception &error)
       {
         // If only some processes fail, the others are elsewhere in the program
         // and cannot take part in anything any more.
         if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
-            dynamic_cast<const AgreedFailure *>(&error) != nullptr)
-          finish(error.what());
+            dynamic_cast<const AgreedFailure *>(&error) != nullptr ||
+            dynamic_cast<const InputError *>(&error) != nullptr)
+          try
+            {
+              finish(error.what());
+            }
+          catch (const std::exception &)
+            {
+              // Files that cannot be written are no news.
+            }
         throw;
       }
     std::ostringstream ending;
@@ -166,7 +194,11 @@ namespace StickSlip
   Simulation<dim>::resume(const std::string &file_name)
   {
     run_state = read_run_state(file_name, mesh_hierarchy.finest());
-    couple();
+    run_state.restarts.push_back(state().time);
+    problem.build_contact(run_state.coupled_displacement,
+                          run_state.expected_slip);
+    prepare();
+    rate_state_step->recall(run_state.linearisations);
   }
 
 
@@ -177,8 +209,11 @@ namespace StickSlip
   {
     if (record)
       run_state.record = record->state();
-    write_run_state(file_name, run_state, mesh_hierarchy.finest());
-    couple();
+    run_state.linearisations = rate_state_step->kept_linearisations();
+    write_run_state(file_name,
+                    run_state,
+                    mesh_hierarchy.finest(),
+                    entries_of(scene));
   }
 
 
@@ -208,6 +243,7 @@ namespace StickSlip
       UnilateralContact<dim>(faults, openings, run_state.stress_offset));
     step_size_controller =
       make_step_size_controller(*rate_state_step, scene.time, boundary_values);
+    step_size_controller->stop_if(must_stop);
     if (scene.output.energy_balance)
       energy = std::make_unique<EnergyBalance<dim>>(problem,
                                                     faults,
@@ -370,12 +406,22 @@ namespace StickSlip
   void
   Simulation<dim>::open_record()
   {
-    record =
-      std::make_unique<RunRecord<dim>>(scene, problem, fault_snapshots());
-    if (run_state.counts.accepted == 0)
+    const bool goes_on = !run_state.restarts.empty();
+    record             = std::make_unique<RunRecord<dim>>(
+      scene, problem, fault_snapshots(), goes_on ? &run_state.record : nullptr);
+    if (!goes_on)
       record->add(StepRecord(), state(), fault_snapshots());
-    else
-      record->resume(run_state.record);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint(Checkpoints &checkpoints)
+  {
+    TimerOutput::Scope section(timer, "Checkpoints");
+    write_state(checkpoints.file(run_state.counts.accepted));
+    checkpoints.note_written(state().time);
   }
 
 

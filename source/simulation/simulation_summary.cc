@@ -249,6 +249,11 @@ namespace StickSlip
     run.add("program", std::string("stickslip ") + version);
     run.add("ending", ending);
     run.add("simulated time", state.system.time, "s");
+    if (!state.restarts.empty())
+      {
+        run.add_count("restarts", state.restarts.size());
+        run.add("last restart at", state.restarts.back(), "s");
+      }
     run.add_count("processes", Utilities::MPI::n_mpi_processes(communicator));
     summarise_meshes(summary, problem.meshes(), body_names);
     if (problem.is_coupled())

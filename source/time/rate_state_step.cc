@@ -191,6 +191,20 @@ namespace StickSlip
 
 
   template <int dim>
+  void
+  RateStateStep<dim>::recall(const std::vector<KeptLinearisation<dim>> &kept)
+  {
+    for (const KeptLinearisation<dim> &linearisation : kept)
+      if (!linearisation.coefficients.empty())
+        {
+          problem.operators().combine(linearisation.coefficients);
+          solver->recall(linearisation);
+        }
+  }
+
+
+
+  template <int dim>
   SystemState<dim>
   RateStateStep<dim>::predict(const SystemState<dim> &from,
                               const double            tau,

@@ -165,6 +165,8 @@ namespace StickSlip
                "dynamic they do not.";
         throw StepSizeTooSmall(message.str());
       }
+    if (must_stop && must_stop())
+      throw StepInterrupted();
   }
 
 

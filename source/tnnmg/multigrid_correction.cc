@@ -63,6 +63,25 @@ namespace StickSlip
 
 
 
+  template <int n_components>
+  std::vector<KeptLinearisation<n_components>>
+  MultigridCorrection<n_components>::kept_linearisations() const
+  {
+    return {hierarchy.kept_linearisation()};
+  }
+
+
+
+  template <int n_components>
+  void
+  MultigridCorrection<n_components>::recall(
+    const KeptLinearisation<n_components> &kept)
+  {
+    hierarchy.recall(kept);
+  }
+
+
+
   template class MultigridCorrection<1>;
   template class MultigridCorrection<2>;
   template class MultigridCorrection<3>;

@@ -4,6 +4,7 @@
 
 import dataclasses
 import re
+import shutil
 import subprocess
 
 import h5py
@@ -52,6 +53,8 @@ def run(program, text, folder, timeout):
     folder.mkdir(parents=True, exist_ok=True)
     scene, output = folder / "scene.prm", folder / "output"
     scene.write_text(text, encoding="utf-8")
+    # Programs of other revisions may not know --overwrite.
+    shutil.rmtree(output, ignore_errors=True)
     command = [str(program), str(scene), "--set", f"Output/Output directory={output}"]
     try:
         process = subprocess.run(

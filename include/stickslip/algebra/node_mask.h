@@ -82,6 +82,14 @@ namespace StickSlip
     bool
     is_equal(const NodeMask &other, const unsigned int n) const;
 
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &components &full &active &restricted;
+    }
+
   private:
     unsigned int              components = 0;
     std::uint8_t              full       = 0;

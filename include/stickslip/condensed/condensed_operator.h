@@ -7,6 +7,7 @@
 #include <stickslip/algebra/mumps_factorisation.h>
 #include <stickslip/algebra/operator_sum.h>
 #include <stickslip/algebra/umfpack_factorisation.h>
+#include <stickslip/multigrid/kept_linearisation.h>
 
 namespace dealii
 {
@@ -90,6 +91,15 @@ namespace StickSlip
                      const std::vector<Tensor<2, n_components>> &H,
                      const std::vector<bool>                    &active);
 
+    /** The linearisation whose factors are there, with nonsmooth nodes as
+     * numbers of nodes. */
+    KeptLinearisation<n_components>
+    factorised() const;
+
+    /** Make the factors of a linearisation, if it is set. */
+    void
+    recall(const KeptLinearisation<n_components> &kept);
+
   private:
     /** At most max_steps(); returns whether they were enough. */
     bool
@@ -114,6 +124,9 @@ namespace StickSlip
      * then. */
     std::unique_ptr<UmfpackFactorisation<n_components>> small_bulk;
     std::unique_ptr<LAPACKFullMatrix<double>>           factors;
+    /** Linearisation that they are the factors of. */
+    std::vector<Tensor<2, n_components>> factorised_hessians;
+    std::vector<bool>                    factorised_active;
   };
 } // namespace StickSlip
 

@@ -52,6 +52,13 @@ namespace StickSlip
     void
     finish(const NodalVector &b, NodalVector &w) override;
 
+    /** The operators condensed, the one used last behind the others. */
+    std::vector<KeptLinearisation<n_components>>
+    kept_linearisations() const override;
+
+    void
+    recall(const KeptLinearisation<n_components> &kept) override;
+
     /** Number of operators condensed so far. */
     unsigned int
     n_condensed() const
@@ -63,6 +70,7 @@ namespace StickSlip
     struct Operator
     {
       unsigned long                   version = 0;
+      std::vector<double>             coefficients;
       CondensedOperator<n_components> condensed;
 
       explicit Operator(const CondensedEntries<n_components> &entries);

@@ -40,6 +40,14 @@ namespace StickSlip
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed);
 
+    std::vector<std::vector<unsigned int>>
+    formed_rows() const;
+
+    void
+    recall_coarse_levels(const BlockMatrix<n_components>              &A,
+                         const NodeMask                               &active,
+                         const std::vector<std::vector<unsigned int>> &formed);
+
     /** The smoother of any level but the coarsest. */
     const BlockGaussSeidel<n_components, Number> &
     smoother(const unsigned int l) const;
@@ -67,7 +75,9 @@ namespace StickSlip
       /** On several processes: the owned rows that a change of the
        * nonsmooth term or of the truncation can touch. */
       std::vector<unsigned int> strip;
-      NodeMask                  active;
+      /** On one process: rows formed since the operator was set. */
+      std::vector<bool> formed;
+      NodeMask          active;
     };
 
     /** The terms on the level below @p l. */
@@ -90,6 +100,10 @@ namespace StickSlip
                       const BlockMatrix<n_components, FineNumber> &matrix,
                       const NodeMask                              &active,
                       std::vector<unsigned int>                   &changed);
+
+    /** Take over rows of a coarse level that have been formed. */
+    void
+    set_smoother(const unsigned int l, const std::vector<unsigned int> &rows);
 
     /** Form rows of the operator on the level below @p l, at least those
      * that depend on the @p changed ones; returns which. */

@@ -4,6 +4,7 @@
 #ifndef stickslip_multigrid_level_hierarchy_h
 #define stickslip_multigrid_level_hierarchy_h
 
+#include <stickslip/multigrid/kept_linearisation.h>
 #include <stickslip/multigrid/v_cycle.h>
 
 #include <vector>
@@ -56,6 +57,15 @@ namespace StickSlip
     void
     linearise(const std::vector<Tensor<2, n_components>> &hessians,
               const NodeMask                             &active);
+
+    /** The linearisation on the coarse levels; empty before the first. */
+    KeptLinearisation<n_components>
+    kept_linearisation() const;
+
+    /** Set the coarse levels as @p kept by another hierarchy of the same levels
+     * and operators, for the present operator A. */
+    void
+    recall(const KeptLinearisation<n_components> &kept);
 
     /** x = approximation of (S (A + H) S)^-1 b by one V-cycle, symmetric. */
     void
@@ -139,7 +149,8 @@ namespace StickSlip
     CyclePrecision                        precision;
     std::unique_ptr<VCycle<n_components>> cycle;
     /** The operator in the cycle. */
-    unsigned long version = 0;
+    unsigned long       version = 0;
+    std::vector<double> coefficients;
 
     bool                                 is_linearised = false;
     std::vector<Tensor<2, n_components>> current_hessians;

@@ -55,6 +55,20 @@ namespace StickSlip
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed) = 0;
 
+    /** The rows of each coarse level, the coarsest first, that
+     * set_coarse_levels() has formed since set_operator(); empty on several
+     * processes, where it always forms the same ones. */
+    virtual std::vector<std::vector<unsigned int>>
+    formed_rows() const = 0;
+
+    /** After set_operator(): set_coarse_levels() as another cycle has left it
+     * that has formed these rows. */
+    virtual void
+    recall_coarse_levels(
+      const BlockMatrix<n_components>              &A,
+      const NodeMask                               &active,
+      const std::vector<std::vector<unsigned int>> &formed) = 0;
+
     /** x = approximate solution, where only @p active components take part. */
     virtual void
     vmult(NodalVector &x, const NodalVector &b, const NodeMask &active) = 0;

@@ -4,10 +4,10 @@
 #ifndef stickslip_output_event_catalogue_h
 #define stickslip_output_event_catalogue_h
 
-#include <stickslip/output/csv_file.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/node_positions.h>
+#include <stickslip/output/table_file.h>
 
 #include <limits>
 #include <string>
@@ -171,7 +171,7 @@ namespace StickSlip
 
     const NodePositions<dim> positions;
 
-    CsvFile    file;
+    TableFile  file;
     double     start_slip_rate;
     double     end_slip_rate;
     EventState memory;

@@ -6,6 +6,7 @@
 
 #include <stickslip/output/fault_layout.h>
 #include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/file_state.h>
 #include <stickslip/output/output_fields.h>
 
 #include <memory>
@@ -68,7 +69,21 @@ namespace StickSlip
                  const std::vector<FaultLayout<dim>>   &shapes,
                  const std::vector<FaultField>         &fields);
 
+    /**
+     * Go on with the file of another run with the same faults and fields, as it
+     * was. Throws InputError if that is impossible.
+     */
+    FaultHistory(const std::string                     &file_name,
+                 const std::vector<FaultSnapshot<dim>> &faults,
+                 const std::vector<FaultField>         &fields,
+                 const FileState                       &earlier);
+
     ~FaultHistory();
+
+    /** The file as it is now; without the records that are in their final
+     * place. */
+    FileState
+    state() const;
 
     /**
      * Append a record; faults and nodes as in the constructor. Throws an
@@ -80,6 +95,7 @@ namespace StickSlip
   private:
     class File;
 
+    std::string           file_name;
     std::unique_ptr<File> file;
   };
 } // namespace StickSlip

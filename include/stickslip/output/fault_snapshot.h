@@ -101,6 +101,15 @@ namespace StickSlip
     unsigned int rate_state_iterations = 0;
     unsigned int tnnmg_iterations      = 0;
     unsigned int multigrid_cycles      = 0;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &step &time &step_size &rate_state_iterations &tnnmg_iterations
+        &multigrid_cycles;
+    }
   };
 } // namespace StickSlip
 

@@ -5,6 +5,7 @@
 #define stickslip_output_hdf5_file_h
 
 #include <hdf5.h>
+#include <stickslip/output/file_state.h>
 
 #include <string>
 #include <vector>
@@ -35,10 +36,19 @@ namespace StickSlip
     Hdf5Handle &
     operator=(const Hdf5Handle &) = delete;
 
+    /** Leaves the handle open if anything has failed: HDF5 may crash when it
+     * closes a file that it could not write. */
     ~Hdf5Handle()
     {
-      if (id >= 0)
+      if (id >= 0 && !has_failed)
         close(id);
+    }
+
+    /** Take note that HDF5 has failed. */
+    static void
+    note_failure()
+    {
+      has_failed = true;
     }
 
     operator hid_t() const
@@ -47,6 +57,8 @@ namespace StickSlip
     }
 
   private:
+    static bool has_failed;
+
     hid_t  id;
     Closer close;
   };
@@ -65,6 +77,9 @@ namespace StickSlip
                const std::string          &name,
                const std::vector<hsize_t> &record_shape);
 
+    /** A data set that is there, to go on with. */
+    Hdf5Series(const hid_t group, const std::string &name);
+
     /**
      * Append a record, whose values run through the last extent fastest.
      */
@@ -77,16 +92,41 @@ namespace StickSlip
       return data_set;
     }
 
+    /** Bytes that the file grows by with the next record, at most; without
+     * tables of HDF5. */
+    std::uint64_t
+    growth() const;
+
+    /** Places in the file of the chunks that are full, which are not written
+     * any more once they are there. Empty where this HDF5 does not tell. */
+    const ByteRanges &
+    full_chunks();
+
   private:
     std::vector<hsize_t> shape;
     Hdf5Handle           data_set;
+    ByteRanges           chunks;
   };
+
+  /** Throw InputError if there is not so much space for a file. HDF5 leaves a
+   * file that nobody can read where it runs out of space. */
+  void
+  require_space(const std::string &file_name, const std::uint64_t n_bytes);
 
   /**
    * Create a file, replacing an existing one. Others may read it meanwhile.
    */
   Hdf5Handle
   create_hdf5_file(const std::string &file_name);
+
+  /**
+   * Open a file that is there, to go on writing. Others may read it meanwhile.
+   */
+  Hdf5Handle
+  open_hdf5_file(const std::string &file_name);
+
+  Hdf5Handle
+  open_hdf5_group(const hid_t parent, const std::string &name);
 
   Hdf5Handle
   create_hdf5_group(const hid_t parent, const std::string &name);

@@ -6,15 +6,19 @@
 
 #include <mpi.h>
 
+#include <utility>
+#include <vector>
+
 namespace StickSlip
 {
   /**
-   * While an object of this class lives, the signals SIGINT (Ctrl-C) and
-   * SIGTERM do not end the program but are noted, so that the run can stop
-   * after the current step with all files complete. A second signal some
-   * seconds later ends the program at once; one right after the first is taken
-   * for the same, since mpirun passes on what a terminal sends to all by
-   * itself.
+   * While an object of this class lives, the signals SIGINT (Ctrl-C), SIGTERM
+   * and SIGHUP (a terminal that is closed) do not end the program but are
+   * noted, so that the run can stop after the current step with all files
+   * complete; so is SIGPIPE, where nobody reads the progress any more. A second
+   * signal some seconds later ends the program at once; one right after the
+   * first is taken for the same, since mpirun passes on what a terminal sends
+   * to all by itself.
    */
   class Interrupt
   {
@@ -36,8 +40,7 @@ namespace StickSlip
 
   private:
     using Handler = void (*)(int);
-    Handler previous_interrupt;
-    Handler previous_terminate;
+    std::vector<std::pair<int, Handler>> previous;
   };
 } // namespace StickSlip
 

@@ -4,9 +4,9 @@
 #ifndef stickslip_output_opening_catalogue_h
 #define stickslip_output_opening_catalogue_h
 
-#include <stickslip/output/csv_file.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/node_positions.h>
+#include <stickslip/output/table_file.h>
 
 #include <limits>
 #include <string>
@@ -168,7 +168,7 @@ namespace StickSlip
     /** Threshold of each fault, m. */
     std::vector<double> thresholds;
 
-    CsvFile      file;
+    TableFile    file;
     OpeningState memory;
   };
 } // namespace StickSlip

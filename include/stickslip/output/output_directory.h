@@ -4,7 +4,11 @@
 #ifndef stickslip_output_output_directory_h
 #define stickslip_output_output_directory_h
 
+#include <stickslip/output/pvd_record.h>
+
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace StickSlip
 {
@@ -33,7 +37,24 @@ namespace StickSlip
     void
     remove_earlier_results() const;
 
+    /** Delete the VTU files of an earlier run that are not among these, and
+     * its summary: it goes on. */
+    void
+    remove_later_results(const VolumeEntries &kept) const;
+
+    /** True if there is a file that remove_earlier_results() deletes. */
+    bool
+    has_results() const;
+
+    /** True if this is a file of the folder by whose name a run writes. */
+    bool
+    would_replace(const std::string &file_name) const;
+
   private:
+    /** Files and folders that a run writes. */
+    std::vector<std::filesystem::path>
+    results() const;
+
     std::string path;
   };
 } // namespace StickSlip

@@ -67,6 +67,15 @@ namespace StickSlip
      * zero: a part of the fault's extent, see OpeningCatalogue. */
     double opening_threshold = 0.;
 
+    /** Simulated time, s, and wall time, s, after which a checkpoint is
+     * written; zero: not for this reason. */
+    double checkpoint_interval  = 0.;
+    double checkpoint_wall_time = 600.;
+
+    /** The number of checkpoints that stay, the last ones; zero: none are
+     * written. */
+    unsigned int checkpoints_kept = 2;
+
     /** Account of the energy in the summary. */
     bool energy_balance = true;
 

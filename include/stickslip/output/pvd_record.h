@@ -41,14 +41,15 @@ namespace StickSlip
       return files;
     }
 
-    /** Begin with the files of another list. */
+    /** Begin with the files of another list, and write it, if there are any.
+     * Throws InputError if that is impossible. */
     void
-    resume(const VolumeEntries &entries)
-    {
-      files = entries;
-    }
+    resume(const VolumeEntries &entries);
 
   private:
+    void
+    write() const;
+
     std::string   file_name;
     VolumeEntries files;
   };

@@ -4,8 +4,8 @@
 #ifndef stickslip_output_time_series_h
 #define stickslip_output_time_series_h
 
-#include <stickslip/output/csv_file.h>
 #include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/table_file.h>
 
 #include <string>
 #include <vector>
@@ -33,13 +33,28 @@ namespace StickSlip
                const std::vector<FaultSnapshot<dim>> &faults);
 
     /**
+     * Go on with the file of another run with the same faults, as it was.
+     * Throws InputError if that is impossible.
+     */
+    TimeSeries(const std::string                     &file_name,
+               const std::vector<FaultSnapshot<dim>> &faults,
+               const FileState                       &earlier);
+
+    /** The file as it is now. */
+    FileState
+    state() const
+    {
+      return file.state();
+    }
+
+    /**
      * Append a row; @p faults in the order of those given first.
      */
     void
     add(const StepRecord &step, const std::vector<FaultSnapshot<dim>> &faults);
 
   private:
-    CsvFile      file;
+    TableFile    file;
     unsigned int n_faults;
   };
 } // namespace StickSlip

@@ -23,6 +23,9 @@ namespace StickSlip
     /** Origin, such as "a.prm, line 3" or "--set". */
     std::string origin;
 
+    /** The file; empty for the command line. */
+    std::string file;
+
     /** Folder in which names of files that the value may have begin, that of
      * the file of origin; empty for the current folder. */
     std::string folder;

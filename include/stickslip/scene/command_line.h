@@ -26,6 +26,10 @@ namespace StickSlip
     Task        task = Task::run;
     std::string parameter_file;
 
+    /** Go on with the run whose results are there, or replace them. */
+    bool restart   = false;
+    bool overwrite = false;
+
     /** The arguments of --set. */
     std::vector<std::string> overrides;
   };

@@ -42,6 +42,11 @@ namespace StickSlip
     SceneParameters<dim>
     read() const;
 
+    /** The files read: parameter files, and those that are named in them as far
+     * as they are there. */
+    std::vector<std::string>
+    input_files() const;
+
   private:
     /** The last assignment to an entry; nullptr if there is none. */
     const Assignment *

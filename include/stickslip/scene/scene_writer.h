@@ -7,6 +7,7 @@
 #include <stickslip/scene/scene_parameters.h>
 
 #include <iosfwd>
+#include <map>
 #include <string>
 
 namespace StickSlip
@@ -25,6 +26,14 @@ namespace StickSlip
   template <int dim>
   void
   write_parameters(const SceneParameters<dim> &scene, std::ostream &out);
+
+  /** Values of entries, as written, by their paths. */
+  using SceneEntries = std::map<std::string, std::string>;
+
+  /** All entries of a scene. */
+  template <int dim>
+  SceneEntries
+  entries_of(const SceneParameters<dim> &scene);
 
   /**
    * The reference of all entries in Markdown, made from their declarations: a

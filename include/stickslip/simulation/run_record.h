@@ -35,11 +35,14 @@ namespace StickSlip
   public:
     /**
      * Creates the output folder and the files. @p space, whose contact mapping
-     * may change later, and @p faults as at the start.
+     * may change later, and @p faults as at the start; or goes on with the
+     * files of an @p earlier record, which are as they were then again, with
+     * the faults of that moment.
      */
     RunRecord(const SceneParameters<dim>            &scene,
               const ContactSpace<dim>               &space,
-              const std::vector<FaultSnapshot<dim>> &faults);
+              const std::vector<FaultSnapshot<dim>> &faults,
+              const RecordState                     *earlier = nullptr);
 
     /** Take in an accepted step; the state at the start has number 0. */
     void
@@ -50,10 +53,6 @@ namespace StickSlip
     /** Memory of all that has been written so far. */
     RecordState
     state() const;
-
-    /** Go on from what another record has written: before any step. */
-    void
-    resume(const RecordState &state);
 
     /** Write the last state, the one added last, and whatever waits, and the
      * summary. To be called however the run ends. */
@@ -103,7 +102,8 @@ namespace StickSlip
     {
       Files(const SceneParameters<dim>            &scene,
             const std::vector<FaultSnapshot<dim>> &faults,
-            const std::vector<FaultLayout<dim>>   &shapes);
+            const std::vector<FaultLayout<dim>>   &shapes,
+            const RecordState                     *earlier);
 
       const OutputDirectory directory;
       EventCatalogue<dim>   catalogue;

@@ -4,7 +4,10 @@
 #ifndef stickslip_simulation_run_state_h
 #define stickslip_simulation_run_state_h
 
+#include <stickslip/multigrid/kept_linearisation.h>
 #include <stickslip/output/event_catalogue.h>
+#include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/file_state.h>
 #include <stickslip/output/opening_catalogue.h>
 #include <stickslip/output/output_cadence.h>
 #include <stickslip/output/pvd_record.h>
@@ -58,7 +61,7 @@ namespace StickSlip
 
   /**
    * Memory of the record of a run of all that it has written. Events, openings
-   * and VTU files are known to the process only that writes.
+   * and files are known to the process only that writes.
    */
   struct RecordState
   {
@@ -66,6 +69,15 @@ namespace StickSlip
     OpeningState  openings;
     CadenceState  fault_cadence, volume_cadence;
     VolumeEntries volumes, surfaces;
+    FileState     time_series, history;
+
+    /** The last step, and what it is written in already. */
+    StepRecord last_step;
+    double     last_slip_rate = 0;
+    bool       in_time_series = true, in_fault_history = true, in_fields = true;
+
+    /** Times whose VTU files could not be written. */
+    unsigned int n_missed = 0;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
@@ -73,7 +85,8 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &events &openings &fault_cadence &volume_cadence &volumes
-        &surfaces;
+        &surfaces &time_series &history &last_step &last_slip_rate
+          &in_time_series &in_fault_history &in_fields &n_missed;
     }
   };
 
@@ -107,6 +120,15 @@ namespace StickSlip
     RunCounts       counts;
     RecordState     record;
 
+    /** Times at which the run went on from a checkpoint, s. */
+    std::vector<double> restarts;
+
+    /** Linearisations that the solver of the rate problem keeps from step to
+     * step on this process. Of use on the same number of processes only, and
+     * empty after reading on another: results are the same within the
+     * tolerances then, and not bit by bit. */
+    std::vector<KeptLinearisation<dim>> linearisations;
+
     /** Call @p action with each nodal vector of a state, in a fixed order. */
     template <typename State, typename Action>
     static void
@@ -117,13 +139,14 @@ namespace StickSlip
       StepMemory<dim>::for_each_vector(state.steps, action);
     }
 
-    /** Everything but nodal vectors, to or from a boost archive. */
+    /** Everything but nodal vectors and what belongs to one process, to or from
+     * a boost archive. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &system &coupled_slip &expected_slip &largest_gaps &stress_offset
-        &steps &energy &counts &record;
+        &steps &energy &counts &record &restarts;
     }
   };
 } // namespace StickSlip

@@ -7,9 +7,12 @@
 #include <deal.II/base/timer.h>
 
 #include <stickslip/scene/scene_parameters.h>
+#include <stickslip/simulation/checkpoints.h>
 #include <stickslip/simulation/run_record.h>
 #include <stickslip/simulation/run_state.h>
 #include <stickslip/time/step_size_control.h>
+
+#include <functional>
 
 namespace StickSlip
 {
@@ -29,9 +32,9 @@ namespace StickSlip
     /**
      * Run the scene to its end time, or until the user interrupts it.
      * Whatever happens, the files written are complete and hold the last good
-     * state. Starts with set_up() unless resume() was called. Throws
-     * StepSizeTooSmall if no step can be taken. Returns whether the end time
-     * was reached.
+     * state. Starts with set_up(), or goes on, also in its files, with the run
+     * that was resumed. Throws StepSizeTooSmall if no step can be taken.
+     * Returns whether the end time was reached.
      */
     bool
     run();
@@ -40,18 +43,17 @@ namespace StickSlip
     void
     set_up();
 
-    /** Start at the state in a file of write_state(), on any number of
+    /** Go on from the state in a file of write_state(), on any number of
      * processes. Throws InputError if there is no such file or if it is of
      * another scene. Collective. */
     void
     resume(const std::string &file_name);
 
     /**
-     * Write everything that a run needs to go on from the present state. The
-     * faults are coupled anew as they are, so that coarse levels make their
-     * second derivatives anew as well: on the same number of processes this run
-     * and the one that is resumed go on with the same bits. Throws InputError
-     * if the file cannot be written. Collective.
+     * Write everything that a run needs to go on from the present state; on the
+     * same number of processes the one that is resumed goes on with the same
+     * bits as this one, which does not notice. Throws InputError if the file
+     * cannot be written. Collective.
      */
     void
     write_state(const std::string &file_name);
@@ -113,15 +115,6 @@ namespace StickSlip
     }
 
   private:
-    /** Couple the faults as the run state says, and prepare(). */
-    void
-    couple()
-    {
-      problem.build_contact(run_state.coupled_displacement,
-                            run_state.expected_slip);
-      prepare();
-    }
-
     /** Make everything anew that depends on the contact mapping: at the start,
      * with a new mapping and where a run is resumed. */
     void
@@ -148,6 +141,9 @@ namespace StickSlip
     void
     open_record();
 
+    void
+    write_checkpoint(Checkpoints &checkpoints);
+
     /** Complete the files of a run that has ended. */
     void
     finish(const std::string &ending);
@@ -165,6 +161,10 @@ namespace StickSlip
     std::vector<NodeOpening> openings;
 
     RunState<dim> run_state;
+
+    /** True if the user has asked for the end of the run; empty before run().
+     * Collective. */
+    std::function<bool()> must_stop;
 
     FaultNodes<dim>                          faults;
     FollowingStress<dim>                     following_stress;

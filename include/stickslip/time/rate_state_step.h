@@ -58,6 +58,18 @@ namespace StickSlip
          const double            tau,
          const Prediction<dim>  *prediction = nullptr);
 
+    /** Linearisations that the solver of the rate problem keeps from step to
+     * step. */
+    std::vector<KeptLinearisation<dim>>
+    kept_linearisations() const
+    {
+      return solver->kept_linearisations();
+    }
+
+    /** Take them over from another object for the same problem. Collective. */
+    void
+    recall(const std::vector<KeptLinearisation<dim>> &kept);
+
     const FaultNodes<dim> &
     faults() const
     {

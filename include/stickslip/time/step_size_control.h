@@ -8,6 +8,7 @@
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/step_history.h>
 
+#include <functional>
 #include <memory>
 
 namespace StickSlip
@@ -20,6 +21,12 @@ namespace StickSlip
   public:
     using AgreedFailure::AgreedFailure;
   };
+
+  /**
+   * Thrown when a run is to stop before a step has been accepted.
+   */
+  struct StepInterrupted
+  {};
 
   /**
    * Chooses step sizes, and accepts or rejects steps. A rejected step leaves
@@ -47,10 +54,18 @@ namespace StickSlip
     /**
      * Advance from @p state by one or more accepted steps, in the order of
      * time. @p memory: of the steps that have led to it. Throws
-     * StepSizeTooSmall.
+     * StepSizeTooSmall and StepInterrupted.
      */
     std::vector<StepResult<dim>>
     advance(const SystemState<dim> &state, StepMemory<dim> &memory);
+
+    /** Look at @p condition between two attempts, if it is not empty; the same
+     * answer on all processes. */
+    void
+    stop_if(std::function<bool()> condition)
+    {
+      must_stop = std::move(condition);
+    }
 
     /** True if the end time is reached. */
     bool
@@ -73,7 +88,8 @@ namespace StickSlip
          const double            tau,
          const Prediction<dim>  *prediction = nullptr) const;
 
-    /** Count a rejection; throws if the next size is too small. */
+    /** Count a rejection; throws if the next size is too small, or if the run
+     * is to stop. */
     void
     reject(StepMemory<dim>   &memory,
            const double       time,
@@ -97,7 +113,8 @@ namespace StickSlip
     const TimeParameters &parameters;
 
   private:
-    BoundaryValues<dim> &loads;
+    BoundaryValues<dim>  &loads;
+    std::function<bool()> must_stop;
   };
 
   /**

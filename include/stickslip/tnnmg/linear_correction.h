@@ -51,6 +51,17 @@ namespace StickSlip
      */
     virtual unsigned int
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) = 0;
+
+    /** Linearisations kept for later problems, see NonsmoothSolver. */
+    virtual std::vector<KeptLinearisation<n_components>>
+    kept_linearisations() const
+    {
+      return {};
+    }
+
+    virtual void
+    recall(const KeptLinearisation<n_components> &)
+    {}
   };
 
   /**

@@ -31,6 +31,12 @@ namespace StickSlip
     unsigned int
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
 
+    std::vector<KeptLinearisation<n_components>>
+    kept_linearisations() const override;
+
+    void
+    recall(const KeptLinearisation<n_components> &kept) override;
+
   private:
     LevelHierarchy<n_components> &hierarchy;
     const TNNMGParameters        &parameters;

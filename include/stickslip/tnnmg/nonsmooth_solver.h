@@ -5,6 +5,7 @@
 #define stickslip_tnnmg_nonsmooth_solver_h
 
 #include <stickslip/algebra/operator_sum.h>
+#include <stickslip/multigrid/kept_linearisation.h>
 #include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/iteration_summary.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
@@ -71,6 +72,16 @@ namespace StickSlip
     /** Complete the components that the iterations since start() left alone. */
     virtual void
     finish(const NodalVector &b, NodalVector &w) = 0;
+
+    /** Linearisations that the solver goes on to use in later problems, in the
+     * order in which recall() takes them. */
+    virtual std::vector<KeptLinearisation<n_components>>
+    kept_linearisations() const = 0;
+
+    /** Take over what another solver of the same problem has kept, each with
+     * the operator set to its coefficients. Collective. */
+    virtual void
+    recall(const KeptLinearisation<n_components> &kept) = 0;
 
     /** Return whether the error after the @p last iteration is below the
      * tolerance, by IterationSummary::relative_error() and what is known of the

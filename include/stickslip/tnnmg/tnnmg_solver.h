@@ -44,6 +44,18 @@ namespace StickSlip
     void
     finish(const NodalVector &b, NodalVector &w) override;
 
+    std::vector<KeptLinearisation<n_components>>
+    kept_linearisations() const override
+    {
+      return linear_correction->kept_linearisations();
+    }
+
+    void
+    recall(const KeptLinearisation<n_components> &kept) override
+    {
+      linear_correction->recall(kept);
+    }
+
   private:
     void
     sweep(const NonsmoothFunctional<n_components> &functional,

@@ -37,15 +37,18 @@ namespace
 
 
   /** Write the state of a simulation, and expect that another one goes on from
-   * there with the same bits for a number of advances. Returns the largest mean
-   * slip rate on the way, m/s. */
+   * there with the same bits for a number of advances, and the simulation
+   * itself with those of one that was never written. Returns the largest
+   * mean slip rate on the way, m/s. */
   double
   expect_same_bits(const SceneParameters<2> &scene,
+                   Simulation<2>            &never_written,
                    Simulation<2>            &kept,
                    const unsigned int        n_advances)
   {
     const TemporaryFolder folder;
     double                fastest = 0;
+    EXPECT_TRUE(same_bits(kept.state(), never_written.state()));
     kept.write_state(folder.file("state"));
     Simulation<2> resumed(scene, MPI_COMM_WORLD);
     resumed.resume(folder.file("state"));
@@ -57,7 +60,11 @@ namespace
         {
           advance(kept, of_kept);
           advance(resumed, of_resumed);
+          never_written.advance();
           EXPECT_TRUE(same_bits(resumed.state(), kept.state())) << i;
+          EXPECT_TRUE(same_bits(never_written.state(), kept.state())) << i;
+          if (i % 10 == 3)
+            kept.write_state(folder.file("later"));
           fastest = std::max(fastest, mean_slip_rate(kept));
         }
     }
@@ -89,6 +96,8 @@ TEST(Resume, GoesOnWithTheSameBitsAfterTheContactHasChanged)
         Settings{"Time/Step size control=constant"},
         Settings{"Time/Rate solver=condensed Newton"},
         Settings{"Time/Rate-state method=nested"},
+        Settings{"TNNMG/Coarse solver=AMG"},
+        Settings{"TNNMG/Linear correction=UMFPACK"},
         Settings{"Faults/fault/Elevation=0.005*sin(3*x)"},
         following + Settings{"Faults/fault/Elevation=0.005*sin(3*x)"},
         Settings{"Boundary conditions/upper top/x value=0.25+0.1*sin(5*t)"}})
@@ -96,12 +105,16 @@ TEST(Resume, GoesOnWithTheSameBitsAfterTheContactHasChanged)
       SCOPED_TRACE(more.empty() ? "as it is" : more.back());
       const SceneParameters<2> scene = fast_sliding_scene(more);
       Simulation<2>            kept(scene, MPI_COMM_WORLD);
-      kept.set_up();
-      while (kept.state().time < 1.)
-        kept.advance();
+      Simulation<2>            never_written(scene, MPI_COMM_WORLD);
+      for (Simulation<2> *simulation : {&kept, &never_written})
+        {
+          simulation->set_up();
+          while (simulation->state().time < 1.)
+            simulation->advance();
+        }
       const unsigned int n_mappings = kept.counts().contact_mappings;
       EXPECT_GT(n_mappings, 2u);
-      expect_same_bits(scene, kept, 15);
+      expect_same_bits(scene, never_written, kept, 15);
       EXPECT_GT(kept.counts().contact_mappings, n_mappings);
     }
 }
@@ -114,12 +127,17 @@ TEST(Resume, GoesOnWithTheSameBitsThroughAnEvent)
     published_scene("spring_slider",
                     {"Bodies/lower/Refinement passes=2",
                      "Bodies/upper/Refinement passes=1"});
-  Simulation<2> kept(scene, MPI_COMM_WORLD);
-  kept.set_up();
-  // The start of the loading is no event.
-  while (kept.state().time < 15. || mean_slip_rate(kept) < 1e-4)
-    kept.advance();
-  EXPECT_GT(expect_same_bits(scene, kept, 1500), 1e-3);
+  Simulation<2> kept(scene, MPI_COMM_WORLD),
+    never_written(scene, MPI_COMM_WORLD);
+  for (Simulation<2> *simulation : {&kept, &never_written})
+    {
+      simulation->set_up();
+      // The start of the loading is no event.
+      while (simulation->state().time < 15. ||
+             mean_slip_rate(*simulation) < 1e-4)
+        simulation->advance();
+    }
+  EXPECT_GT(expect_same_bits(scene, never_written, kept, 1500), 1e-3);
   // The event is over.
   EXPECT_LT(mean_slip_rate(kept), 1e-3);
 }
@@ -145,6 +163,16 @@ TEST(Resume, WrongFilesAreRefused)
   const std::string content = content_of(folder.file("state"));
   folder.write("part", content.substr(0, content.size() / 2));
   expect_one_sentence_with(message(simulation, "part"), {"is damaged"});
+  std::string changed = content;
+  changed[changed.size() / 2] ^= 1;
+  folder.write("changed", changed);
+  expect_one_sentence_with(message(simulation, "changed"), {"is damaged"});
+  const std::size_t version = content.find(' ') + 1;
+  folder.write("other",
+               content.substr(0, version) + "1" +
+                 content.substr(content.find(' ', version)));
+  expect_one_sentence_with(message(simulation, "other"),
+                           {"another version of the program"});
   Simulation<2> finer(fast_sliding_scene({"Bodies/upper/Refinement passes=3"}),
                       MPI_COMM_WORLD);
   expect_one_sentence_with(message(finer, "state"),

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/base/checksum.h>
+#include <stickslip/output/file_state.h>
+#include <stickslip/output/folder_lock.h>
+#include <stickslip/output/interrupt.h>
+#include <stickslip/output/table_file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "error_message.h"
+#include "temporary_folder.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+/* The check value of the catalogue of such codes, and two that zlib gives. */
+TEST(Checksum, IsThatOfZlib)
+{
+  EXPECT_EQ(crc32("123456789"), 0xCBF43926u);
+  EXPECT_EQ(crc32(""), 0u);
+  EXPECT_EQ(crc32("stickslip"), 0xA5ECDAAEu);
+  EXPECT_EQ(crc32("56789", 5, crc32("1234")), 0xCBF43926u);
+}
+
+
+
+TEST(FileState, MakesAFileAgainThatWasChangedAndGrew)
+{
+  const TemporaryFolder folder;
+  const std::string     file = folder.write("file", "0123456789");
+  // Bytes 2 to 4 and 7 are final.
+  const FileState state = file_state(file, {{7, 1}, {2, 3}});
+  ASSERT_EQ(state.parts.size(), 3u);
+  EXPECT_EQ(state.parts[0].second, "01");
+  EXPECT_EQ(state.parts[1].second, "56");
+  EXPECT_EQ(state.parts[2].second, "89");
+  folder.write("file", "ab234cd7ef and more");
+  restore_file(file, state);
+  EXPECT_EQ(content_of(file), "0123456789");
+
+  folder.write("file", "0123");
+  expect_one_sentence_with(message_of([&]() { restore_file(file, state); }),
+                           {file, "is shorter than it was at the checkpoint"});
+  EXPECT_EQ(content_of(file), "0123");
+}
+
+
+
+TEST(TableFile, GoesOnBehindACompleteRow)
+{
+  const TemporaryFolder folder;
+  const std::string     name = folder.file("table.csv");
+  FileState             state;
+  {
+    TableFile file(name);
+    file << "a,b";
+    file.end_row();
+    file << 1 << ',' << 0.1;
+    file.end_row();
+    state = file.state();
+    file << 2 << ',' << 0.2;
+    file.end_row();
+  }
+  EXPECT_EQ(content_of(name),
+            "a,b\n1,0.10000000000000001\n2,0.20000000000000001\n");
+  TableFile file(name, state);
+  EXPECT_EQ(content_of(name), "a,b\n1,0.10000000000000001\n");
+  file << 3;
+  file.end_row();
+  EXPECT_EQ(content_of(name), "a,b\n1,0.10000000000000001\n3\n");
+  std::filesystem::remove(name);
+  file << 4;
+  expect_one_sentence_with(message_of([&]() { file.end_row(); }),
+                           {name, "it is not there any more"});
+}
+
+
+
+TEST(FolderLock, IsThatOfOneProgramAndEndsWithIt)
+{
+  const TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path.string());
+    expect_one_sentence_with(message_of([&]() {
+                               FolderLock second(folder.path.string());
+                             }),
+                             {"another run is writing there"});
+  }
+  const pid_t child = fork();
+  if (child == 0)
+    {
+      const FolderLock lock(folder.path.string());
+      kill(getpid(), SIGKILL);
+    }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  const FolderLock lock(folder.path.string());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+}
+
+
+
+TEST(Interrupt, NotesAClosedTerminalAndPipe)
+{
+  for (const int signal : {SIGHUP, SIGPIPE})
+    {
+      const Interrupt interrupt;
+      EXPECT_FALSE(interrupt.is_requested(MPI_COMM_SELF));
+      std::raise(signal);
+      EXPECT_TRUE(interrupt.is_requested(MPI_COMM_SELF));
+      // Each line of progress brings it again.
+      if (signal == SIGPIPE)
+        for (unsigned int i = 0; i < 5; ++i)
+          std::raise(signal);
+    }
+}
