@@ -225,6 +225,31 @@ TEST(BackgroundStress, DependsOnThePosition)
 
 
 
+// A table of a function that is linear between its points is that function.
+TEST(BackgroundStress, IsThatOfATable)
+{
+  const TemporaryFolder folder;
+  const std::string     table =
+    folder.write("stress.txt", "x\n-100 -101e3\n0 -1e3\n100 -201e3\n");
+  const auto stress = [&](const std::string &syy) {
+    return dipping_fault(0.,
+                         {"Faults/fault/Background stress=0, " + syy +
+                          ", 500"});
+  };
+  const FaultSnapshot<2> by_table = stress("table " + table),
+                         by_expression =
+                           stress("-1e3 + if(x < 0, 1e3, -2e3) * x");
+  for (unsigned int k = 0; k < by_table.points.size(); ++k)
+    {
+      EXPECT_GT(by_table.normal_stress[k], 999.);
+      EXPECT_NEAR(by_table.normal_stress[k],
+                  by_expression.normal_stress[k],
+                  1e-7);
+    }
+}
+
+
+
 TEST(BackgroundStress, VariesAlongAFaultThatBends)
 {
   // The disc in a ring: the normal is along the radius.
@@ -316,12 +341,14 @@ TEST(BackgroundStress, ErrorsAreInOneSentence)
     });
   };
   const std::string entry = "Faults/fault/Background stress";
-  for (const std::string text : {"1, 2", "1, 2, table a.csv", "1, 2, 3, 4"})
+  for (const std::string text : {"1, 2", "1, 2,", "1, 2, 3, 4"})
     expect_one_sentence_with(
       message(text),
       {entry,
-       "must be nothing, or 3 numbers or expressions in x, y, separated by "
-       "commas: sxx, syy, sxy"});
+       "must be nothing, or 3 components, each a number, an expression in x, y "
+       "(z), or table FILE, separated by commas: sxx, syy, sxy"});
+  expect_one_sentence_with(message("1, -2, table nowhere.txt"),
+                           {entry, "nowhere.txt"});
   expect_one_sentence_with(message("1, -2, x +"),
                            {entry + " (sxy)' = 'x +': cannot be used"});
   expect_one_sentence_with(message("0, 1e3 * x, 0"),

@@ -164,6 +164,22 @@ namespace StickSlip
 
 
   template <int dim>
+  PlaceFinder<dim>::PlaceFinder(
+    const std::vector<std::vector<unsigned int>> &faces,
+    const std::vector<Point<dim>>                &points)
+  {
+    for (const std::vector<unsigned int> &face : faces)
+      {
+        patches.push_back({face, {}, dim - 1, face.size() == dim});
+        for (const unsigned int v : face)
+          patches.back().points.push_back(points[v]);
+      }
+    make_tree();
+  }
+
+
+
+  template <int dim>
   void
   PlaceFinder<dim>::make_tree()
   {
@@ -248,12 +264,14 @@ namespace StickSlip
     try_all(found);
     if (best.distance < 1e-9 * best.size)
       return best;
-    // Outside: boxes that are near need not hold the nearest cell.
-    constexpr unsigned int n_near = 16;
-    found.clear();
-    tree->boxes.query(boost::geometry::index::nearest(point, n_near),
-                      std::back_inserter(found));
-    try_all(found);
+    // Outside: boxes by rising distance, as long as they may hold what is
+    // nearer.
+    for (auto box = tree->boxes.qbegin(
+           boost::geometry::index::nearest(point, patches.size()));
+         box != tree->boxes.qend() &&
+         boost::geometry::distance(point, box->first) <= best.distance;
+         ++box)
+      try_all({*box});
     return best;
   }
 

@@ -3,13 +3,17 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <stickslip/base/input_error.h>
+#include <stickslip/mesh/face_area.h>
 #include <stickslip/mesh/smooth_shape.h>
+#include <stickslip/mesh/smooth_surface.h>
 #include <stickslip/mesh/spline_curve.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 namespace StickSlip
 {
@@ -148,6 +152,104 @@ namespace StickSlip
       std::vector<std::vector<unsigned int>> joined;
       std::vector<bool>                      is_used;
     };
+
+
+    /** The faces on one side in space, and the vertices they join: those of
+     * several bodies are one if they are at the same place up to rounding. */
+    struct JoinedFaces
+    {
+      std::vector<Point<3>>                  points;
+      std::vector<std::vector<unsigned int>> faces;
+
+      JoinedFaces(const std::vector<BodyCells<3>> &bodies,
+                  const std::vector<BodySide>     &side)
+      {
+        for (const BodySide &part : side)
+          {
+            const BodyCells<3>                  &body = bodies[part.body];
+            const unsigned int                   n_of_others = points.size();
+            std::map<unsigned int, unsigned int> number;
+            for (const auto &face : body.boundary.boundary_quads)
+              if (face.boundary_id == part.side)
+                {
+                  faces.emplace_back();
+                  for (const unsigned int v : face.vertices)
+                    {
+                      const auto [place, is_new] =
+                        number.emplace(v, points.size());
+                      if (is_new)
+                        place->second =
+                          find_or_add(body.vertices[v], n_of_others);
+                      faces.back().push_back(place->second);
+                    }
+                }
+          }
+      }
+
+    private:
+      unsigned int
+      find_or_add(const Point<3> &point, const unsigned int n_of_others)
+      {
+        for (unsigned int v = 0; v < n_of_others; ++v)
+          if (points[v].distance(point) <= 1e-10 * point.norm())
+            return v;
+        points.push_back(point);
+        return points.size() - 1;
+      }
+    };
+
+
+
+    /** Add the plane of a face, unless it is there. */
+    void
+    add_plane(const std::vector<Point<3>>       &points,
+              const std::vector<unsigned int>   &face,
+              std::vector<SmoothSurface::Plane> &planes)
+    {
+      std::array<Point<3>, 4> vertices;
+      for (unsigned int v = 0; v < face.size(); ++v)
+        vertices[v] = points[face[v]];
+      const Tensor<1, 3> area      = face_area<3>(vertices, face.size());
+      const double       tolerance = 1e-9 * std::sqrt(area.norm());
+      const bool         is_there =
+        std::any_of(planes.begin(), planes.end(), [&](const auto &plane) {
+          return std::all_of(face.begin(), face.end(), [&](const auto v) {
+            return plane.contains(points[v], tolerance);
+          });
+        });
+      if (!is_there)
+        planes.push_back({vertices[0], area / area.norm()});
+    }
+
+
+
+    /** The planes of other boundary faces that share an edge with a fault. */
+    std::vector<SmoothSurface::Plane>
+    planes_at(const std::vector<BodyCells<3>> &bodies, const Fault &fault)
+    {
+      std::vector<SmoothSurface::Plane> planes;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          std::set<types::boundary_id> of_fault;
+          for (const auto &side : fault.sides)
+            for (const BodySide &part : side)
+              if (part.body == b)
+                of_fault.insert(part.side);
+          std::set<unsigned int> at_fault;
+          for (const auto &face : bodies[b].boundary.boundary_quads)
+            if (of_fault.count(face.boundary_id) > 0)
+              at_fault.insert(face.vertices.begin(), face.vertices.end());
+          for (const auto &face : bodies[b].boundary.boundary_quads)
+            if (of_fault.count(face.boundary_id) == 0 &&
+                std::count_if(face.vertices.begin(),
+                              face.vertices.end(),
+                              [&](const unsigned int v) {
+                                return at_fault.count(v) > 0;
+                              }) > 1)
+              add_plane(bodies[b].vertices, face.vertices, planes);
+        }
+      return planes;
+    }
   } // namespace
 
 
@@ -166,10 +268,14 @@ namespace StickSlip
 
   template <>
   std::shared_ptr<const FaultShape<3>>
-  smooth_shape<3>(const std::vector<BodyCells<3>> &, const Fault &fault)
+  smooth_shape<3>(const std::vector<BodyCells<3>> &bodies, const Fault &fault)
   {
-    throw InputError("'Faults/" + fault.name +
-                     "/Shape' = 'smooth': is for two dimensions; in three "
-                     "give an expression or a table.");
+    const JoinedFaces first(bodies, fault.sides[0]),
+      second(bodies, fault.sides[1]);
+    const JoinedFaces &side =
+      second.points.size() > first.points.size() ? second : first;
+    return std::make_shared<SmoothSurface>(side.points,
+                                           side.faces,
+                                           planes_at(bodies, fault));
   }
 } // namespace StickSlip

@@ -6,6 +6,7 @@
 
 #include <stickslip/parameters/declared_entries.h>
 #include <stickslip/parameters/field_pattern.h>
+#include <stickslip/parameters/stress_field.h>
 
 #include <sstream>
 
@@ -60,7 +61,10 @@ namespace StickSlip
             const std::string pattern =
               child.get<std::string>("pattern_description");
             entry.allowed = in_words(pattern);
+            entry.is_stress =
+              pattern.find(StressField::each_component) != std::string::npos;
             entry.is_field =
+              !entry.is_stress &&
               pattern.find(FieldPattern::ending) != std::string::npos;
             entries.push_back(entry);
           }

@@ -66,11 +66,11 @@ namespace StickSlip
           return true;
         const std::vector<std::string> parts = split_list(text);
         return parts.size() == component_list(dim).size() &&
-               std::none_of(
-                 parts.begin(), parts.end(), [](const std::string &part) {
-                   return part.empty() ||
-                          part.substr(0, part.find_first_of(" \t")) == "table";
-                 });
+               std::none_of(parts.begin(),
+                            parts.end(),
+                            [](const std::string &part) {
+                              return part.empty();
+                            });
       }
 
       virtual std::string
@@ -80,8 +80,7 @@ namespace StickSlip
         for (const auto &component : component_list(dim))
           names += (names.empty() ? "" : ", ") + component.first;
         return "nothing, or " + std::to_string(component_list(dim).size()) +
-               " numbers or expressions in x, y" + (dim == 3 ? ", z" : "") +
-               ", separated by commas: " + names;
+               " components, each " + StressField::each_component + names;
       }
 
       virtual std::unique_ptr<PatternBase>
@@ -119,6 +118,19 @@ namespace StickSlip
           components.back().set(parts[c]);
         }
     });
+  }
+
+
+
+  std::string
+  StressField::with_absolute_paths(const std::string &text,
+                                   const std::string &folder)
+  {
+    std::string result;
+    for (const std::string &part : split_list(text))
+      result += (result.empty() ? "" : ", ") +
+                SpatialField::with_absolute_path(part, folder);
+    return result;
   }
 
 

@@ -6,6 +6,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/spatial_field.h>
+#include <stickslip/parameters/stress_field.h>
 #include <stickslip/scene/entry_assignment.h>
 
 #include <algorithm>
@@ -92,11 +93,14 @@ namespace StickSlip
       prm.enter_subsection(section);
     try
       {
+        const std::string &value  = assignment.value,
+                          &folder = assignment.folder;
         prm.set(assignment.entry,
                 declared->is_field ?
-                  SpatialField::with_absolute_path(assignment.value,
-                                                   assignment.folder) :
-                  assignment.value);
+                  SpatialField::with_absolute_path(value, folder) :
+                declared->is_stress ?
+                  StressField::with_absolute_paths(value, folder) :
+                  value);
       }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {

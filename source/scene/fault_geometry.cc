@@ -68,8 +68,9 @@ namespace StickSlip
       NumberRange(),
       "Where refinement puts new nodes of a fault of mesh files or blocks: "
       "mesh, straight between the nodes of the coarse mesh; smooth, on a curve "
-      "of continuous curvature through them (in two dimensions; bends of more "
-      "than 50 degrees stay corners); or on a given curve or surface, as an "
+      "of continuous curvature through them, in three dimensions a smooth "
+      "surface (bends of more than 50 degrees stay corners or edges); or on a "
+      "given curve or surface, as an "
       "expression or a table of one coordinate as a "
       "function of the others, in m (recommended where it is known).");
     add_choice<std::string>(

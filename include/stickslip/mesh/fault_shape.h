@@ -86,6 +86,10 @@ namespace StickSlip
    * the size of the smallest face there. */
   constexpr double most_off_shape = 0.1;
 
+  /** By how much a fault turns at least at a corner, or an edge in three
+   * dimensions, that stays in a smooth shape, degrees. */
+  constexpr double least_corner = 50.;
+
   /**
    * Move the vertices of bodies on the sides of faults onto the shapes of
    * these; @p shapes: one a fault, none where faces are straight. Throws

@@ -42,6 +42,10 @@ namespace StickSlip
     /** Places in the active faces with a boundary indicator. */
     PlaceFinder(const Triangulation<dim> &mesh, const types::boundary_id side);
 
+    /** Places in faces that join some of @p points in deal.II's order. */
+    PlaceFinder(const std::vector<std::vector<unsigned int>> &faces,
+                const std::vector<Point<dim>>                &points);
+
     /** The place of a point, or the one next to it. */
     Place
     find(const Point<dim> &point) const;

@@ -8,17 +8,13 @@
 
 namespace StickSlip
 {
-  /** By how much a polygonal line turns at a corner at least, degrees. */
-  constexpr double least_corner = 50.;
-
   /**
-   * Smooth curves through the vertices of a fault of the coarse mesh: those of
-   * the side that has more of them, the first one if both have as many. A
-   * vertex at which the faces turn by more than least_corner stays a corner,
-   * others are passed with continuous curvature; see SplineCurve. A fault may
-   * have several parts, and closed ones.
-   *
-   * For two dimensions; throws InputError in three.
+   * A smooth curve or surface through the vertices of a fault of the coarse
+   * mesh: those of the side that has more of them, the first one if both have
+   * as many. A vertex or an edge at which the faces turn by more than
+   * least_corner stays as it is; see SplineCurve and SmoothSurface. A fault may
+   * have several parts, and closed ones. In three dimensions, points on plane
+   * outer sides, and those of faults that are cut there, stay on these.
    */
   template <int dim>
   std::shared_ptr<const FaultShape<dim>>

@@ -30,6 +30,9 @@ namespace StickSlip
     /** True if the entry sets a SpatialField. */
     bool is_field = false;
 
+    /** True if it sets a StressField. */
+    bool is_stress = false;
+
     std::string documentation;
   };
 
