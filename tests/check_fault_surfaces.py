@@ -31,7 +31,8 @@ from experiments.scenes.volume import decode
 
 TYPES = {"Float64": np.float64, "Int64": np.int64, "UInt8": np.uint8}
 UNITS = {"slip": "m", "slip_rate": "m/s", "shear_traction": "Pa", "normal_stress": "Pa",
-         "state": "s", "contact_pressure": "Pa"}
+         "state": "s", "contact_pressure": "Pa", "gap": "m", "opening_rate": "m/s",
+         "contact_state": "1"}
 CORNERS = {3: 2, 5: 3, 9: 4}
 # The bodies' files are of single precision.
 PRECISION = 3e-7

@@ -51,7 +51,7 @@ namespace StickSlip::Tests
                 BackgroundStress<dim>(scene.faults),
                 make_opening_parts(scene))
       , laws(make_node_laws(scene, problem.jump_basis()))
-      , openings(make_node_openings(scene, problem.jump_basis()))
+      , openings(make_node_openings(scene, problem))
     {
       InitialState<dim> start =
         make_initial_state(scene,

@@ -75,7 +75,10 @@ namespace StickSlip
         check_overlap(mesh, cell_faces);
         make_bodies();
         for (unsigned int f = 0; f < fault_list.size(); ++f)
-          topology_of_faults[f].name = fault_list[f].name;
+          {
+            topology_of_faults[f].name         = fault_list[f].name;
+            topology_of_faults[f].may_be_apart = fault_list[f].may_be_apart;
+          }
         name_sides();
         for (unsigned int f = 0; f < fault_list.size(); ++f)
           if (fault_list[f].has_side_groups())

@@ -75,8 +75,9 @@ namespace StickSlip
           const FaultSurface<dim> &second = level.surface(f, 1);
           if (first.is_plane() && second.is_plane() &&
               (first.normal * second.normal > -0.99 ||
-               std::abs((second.points[0] - first.points[0]) * first.normal) >
-                 1e-6 * first.face_size(0)))
+               (!topology.faults()[f].may_be_apart &&
+                std::abs((second.points[0] - first.points[0]) * first.normal) >
+                  1e-6 * first.face_size(0))))
             throw InputError("The two sides of the fault '" +
                              topology.faults()[f].name +
                              "' do not face each other in one plane.");

@@ -191,6 +191,7 @@ namespace StickSlip
                     const std::vector<std::string>    &body_names,
                     const Fault                       &fault)
   {
+    const double allowed = fault.may_be_apart ? 1. : 0.1;
     std::array<std::vector<Facet<dim>>, 2> facets;
     for (const unsigned int side : {0, 1})
       for (const BodySide &part : fault.sides[side])
@@ -211,14 +212,15 @@ namespace StickSlip
                   const auto       distance = others.distance(point, facet);
                   if (std::isinf(distance.first))
                     continue;
-                  if (distance.first > 0.1)
+                  if (distance.first > allowed)
                     {
                       std::ostringstream metres;
                       metres << distance.second;
-                      throw InputError("The two sides of the fault '" +
-                                       fault.name + "' are " + metres.str() +
-                                       " m apart at " + position_text(point) +
-                                       "; they must touch.");
+                      throw InputError(
+                        "The two sides of the fault '" + fault.name + "' are " +
+                        metres.str() + " m apart at " + position_text(point) +
+                        (fault.may_be_apart ? ", more than a face is large." :
+                                              "; they must touch."));
                     }
                   touches = true;
                 }

@@ -68,7 +68,8 @@ namespace StickSlip
         const MeshEntries::OfFault &fault = entries.faults[f];
         faults.push_back({fault_names[f],
                           fault.group.empty() ? fault_names[f] : fault.group,
-                          parse_between(fault.between)});
+                          parse_between(fault.between),
+                          fault.may_be_apart});
       }
     return cut_at_faults(GroupedCells<dim>(files, body_names), faults);
   }

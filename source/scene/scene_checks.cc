@@ -256,6 +256,11 @@ namespace StickSlip
               naming(fault.section() + "/Normal stress", "lithostatic") +
               ": is for bricks in a stack only, since bodies of any shape have no "
               "thickness.");
+          if (scene.topology.faults()[i].may_be_apart && !fault.may_open())
+            throw InputError(
+              naming(fault.section() + "/Initial gap from mesh", "true") +
+              ": needs 'Contact' = 'unilateral', since sides that always touch "
+              "cannot be apart.");
           for (const FaultPart &part : fault.parts(points))
             part.friction->check(part.select(points), part.section);
           if (fault.normal_stress_source == NormalStressSource::function)

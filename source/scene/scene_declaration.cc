@@ -116,6 +116,14 @@ namespace StickSlip
                    "not match, and those of blocks, are given as '<body> "
                    "<side>', several of them joined by a plus sign: 'lower "
                    "top, left bottom + right bottom'.");
+          add_switch(prm,
+                     "Initial gap from mesh",
+                     entries.may_be_apart,
+                     "Whether the sides that 'Between' names may be apart in "
+                     "the mesh files or blocks, by less than a face is large; "
+                     "with 'Contact = unilateral' that distance along the "
+                     "normal is the gap at the start, with what 'Initial gap' "
+                     "says.");
           scene.fault_geometries[f].section = scene.faults[f].section();
           scene.fault_geometries[f].add_parameters(prm);
           if (dim == 3)

@@ -246,6 +246,14 @@ namespace StickSlip
 
 
 
+  bool
+  SceneReader::has_gap_from_mesh(const FaultParameters &fault) const
+  {
+    return value_of(fault.section() + "/Initial gap from mesh") == "true";
+  }
+
+
+
   template <int dim>
   void
   SceneReader::read_mesh(SceneParameters<dim> &scene) const
@@ -266,7 +274,8 @@ namespace StickSlip
     for (const FaultParameters &fault : scene.faults)
       {
         entries.faults.push_back({value_of(fault.section() + "/Mesh group"),
-                                  value_of(fault.section() + "/Between")});
+                                  value_of(fault.section() + "/Between"),
+                                  has_gap_from_mesh(fault)});
         try
           {
             parse_between(entries.faults.back().between);
@@ -318,8 +327,10 @@ namespace StickSlip
       {
         const std::string entry = fault.section() + "/Between";
         check_between_blocks<dim>(entry, value_of(entry), body_names);
-        faults.push_back(
-          {fault.name, fault.name, parse_between(value_of(entry))});
+        faults.push_back({fault.name,
+                          fault.name,
+                          parse_between(value_of(entry)),
+                          has_gap_from_mesh(fault)});
       }
     scene.mesh = std::make_shared<const CutMesh<dim>>(
       cut_at_faults(cells_of_blocks(blocks), faults));

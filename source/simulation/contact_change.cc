@@ -65,7 +65,7 @@ namespace StickSlip
 
 
     /** Gaps with a new contact mapping; @p distances_before, @p distances_now:
-     * side_distances(), empty where no fault bends. */
+     * distances_of_gaps(). */
     template <int dim>
     void
     change_gaps(SystemState<dim>          &state,
@@ -173,11 +173,10 @@ namespace StickSlip
 
   template <int dim>
   std::vector<double>
-  side_distances(const ContactSpace<dim> &space, const SystemState<dim> &state)
+  side_distances(const ContactSpace<dim> &space,
+                 const NodalVector       &displacement)
   {
     const JumpBasis<dim> &basis = space.jump_basis();
-    if (!is_any_open(state) || !is_any_bent(basis))
-      return {};
     const MeshLevel<dim> &level = space.meshes().finest();
     std::vector<double>   distances;
     for (unsigned int f = 0; f < basis.faults().size(); ++f)
@@ -187,7 +186,7 @@ namespace StickSlip
         const auto                 positions = [&](const unsigned int side) {
           const FaultSurface<dim>    &surface = level.surface(f, side);
           std::vector<Tensor<1, dim>> result =
-            gather_nodes<dim>(state.displacement, level.nodes, surface.nodes);
+            gather_nodes<dim>(displacement, level.nodes, surface.nodes);
           for (unsigned int k = 0; k < result.size(); ++k)
             result[k] += surface.points[k];
           return result;
@@ -217,6 +216,18 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<double>
+  distances_of_gaps(const ContactSpace<dim> &space,
+                    const SystemState<dim>  &state)
+  {
+    if (!is_any_open(state) || !is_any_bent(space.jump_basis()))
+      return {};
+    return side_distances(space, state.displacement);
+  }
+
+
+
+  template <int dim>
   bool
   is_any_open(const SystemState<dim> &state)
   {
@@ -240,7 +251,7 @@ namespace StickSlip
                 before,
                 now,
                 distances_before,
-                side_distances(space, state));
+                distances_of_gaps(space, state));
     change_rates(state.velocity,
                  state.slip_rate,
                  state.opening_rate,
@@ -277,6 +288,8 @@ namespace StickSlip
   template decltype(background_normal_stress<3>) background_normal_stress<3>;
   template decltype(side_distances<2>)           side_distances<2>;
   template decltype(side_distances<3>)           side_distances<3>;
+  template decltype(distances_of_gaps<2>)        distances_of_gaps<2>;
+  template decltype(distances_of_gaps<3>)        distances_of_gaps<3>;
   template decltype(is_any_open<2>)              is_any_open<2>;
   template decltype(is_any_open<3>)              is_any_open<3>;
   template decltype(change_contact<2>)           change_contact<2>;

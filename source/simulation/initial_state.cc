@@ -168,6 +168,11 @@ namespace StickSlip
       }
     if (with_pressure)
       state.contact_pressure = equilibrium.contact_pressure;
+    // Nothing presses where there is a gap.
+    if (with_pressure)
+      for (unsigned int k = 0; k < state.gap.size(); ++k)
+        if (state.gap[k] > 0.)
+          state.contact_pressure[k] = -start.stress_offset[k];
     state.slip.resize(state.alpha.size());
     state.slip_rate.resize(state.alpha.size());
     state.balancing_traction = equilibrium.shear_traction;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/simulation/contact_change.h>
 #include <stickslip/simulation/node_openings.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace StickSlip
 
 
 
-    /** Where the slip rate is known, the sides stay together. */
+    /** True unless the slip rate is known, where the sides stay together. */
     bool
     may_open(const FaultPart &part)
     {
@@ -36,11 +37,14 @@ namespace StickSlip
   template <int dim>
   std::vector<NodeOpening>
   make_node_openings(const SceneParameters<dim> &scene,
-                     const JumpBasis<dim>       &basis)
+                     const ContactSpace<dim>    &space)
   {
     std::vector<NodeOpening> result;
     if (!may_any_open(scene))
       return result;
+    const JumpBasis<dim>     &basis = space.jump_basis();
+    const std::vector<double> distances =
+      side_distances(space, space.make_nodal_vector());
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
         const std::vector<Point<dim>> &points =
@@ -67,6 +71,9 @@ namespace StickSlip
                 node.cohesion          = cohesion[i];
                 node.bond_healing_time = opening.bond_healing_time;
                 node.initial_gap       = gap[i];
+                if (scene.topology.faults()[f].may_be_apart)
+                  node.initial_gap +=
+                    std::max(0., distances[first + part.positions[i]]);
               }
           }
       }

@@ -77,7 +77,7 @@ namespace StickSlip
               BackgroundStress<dim>(scene.faults),
               make_opening_parts(scene))
     , laws(make_node_laws(scene, problem.jump_basis()))
-    , openings(make_node_openings(scene, problem.jump_basis()))
+    , openings(make_node_openings(scene, problem))
   {
     construction_timer.stop();
   }
@@ -293,7 +293,7 @@ namespace StickSlip
       background_normal_stress(problem.background_stress(),
                                problem.jump_basis());
     const std::vector<double> distances_before =
-      side_distances(problem, current);
+      distances_of_gaps(problem, current);
     problem.build_contact(run_state.coupled_displacement,
                           run_state.expected_slip);
     // Normals that have turned meet another background stress.

@@ -84,7 +84,7 @@ namespace StickSlip
     rhs *= -1.;
     active.apply(rhs);
     change = 0.;
-    // Where nothing else moves with the jumps there is nothing to solve.
+    // There is nothing to solve where nothing else moves with the jumps.
     if (const double norm = rhs.l2_norm(); norm > 0.)
       {
         SolverControl control(max_iterations, reduction * norm);

@@ -424,7 +424,7 @@ namespace StickSlip
     if (time_parameters.inertia != Inertia::dynamic)
       return energy;
 
-    // What the contact does is the reaction less what was put into the right
+    // Forces of the contact are the reaction less what was put into the right
     // hand side for it.
     NodalVector all_forces = w, prestress = problem.make_vector();
     problem.operators().matrix().residual(all_forces, rhs, w);

@@ -24,14 +24,15 @@ namespace StickSlip
     result.state_rate.resize(faults.size());
     result.friction.resize(faults.size());
     result.in_contact.resize(faults.size());
+    for (const double gap : state.gap)
+      result.is_open.push_back(gap > 0.);
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
-        // Sides that are apart feel nothing of each other.
-        result.in_contact[k] =
-          faults.in_contact(k) && (state.gap.empty() || state.gap[k] == 0.);
         const FaultLaw &law     = laws[k];
-        const bool      is_open = !state.gap.empty() && state.gap[k] > 0.;
-        const double    V       = is_open ? 0. : magnitude(state.slip_rate[k]);
+        const bool      is_open = !state.gap.empty() && result.is_open[k];
+        // Sides that are apart feel nothing of each other.
+        result.in_contact[k] = faults.in_contact(k) && !is_open;
+        const double V       = is_open ? 0. : magnitude(state.slip_rate[k]);
         if (law.state_law && !(is_open && law.is_frozen_open))
           result.state_rate[k] =
             law.state_law->rate(state.alpha[k], V, law.characteristic_slip);
@@ -101,6 +102,13 @@ namespace StickSlip
     std::vector<double> errors = predict_alpha(h);
     for (unsigned int k = 0; k < errors.size(); ++k)
       errors[k] = factor * (now.alpha[k] - errors[k]);
+    // The rate of the state jumps where sides part or meet, which tells nothing
+    // of the error.
+    for (unsigned int k = 0; k < now.is_open.size(); ++k)
+      for (unsigned int i = 0; i < std::min<unsigned int>(2, records.size());
+           ++i)
+        if (records[i].is_open[k] != now.is_open[k])
+          errors[k] = 0.;
     return errors;
   }
 

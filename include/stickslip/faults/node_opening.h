@@ -7,7 +7,7 @@
 namespace StickSlip
 {
   /**
-   * What a slave node may do along the normal.
+   * Freedom of a slave node along the normal.
    */
   struct NodeOpening
   {

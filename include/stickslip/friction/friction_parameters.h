@@ -27,7 +27,7 @@ namespace StickSlip
      * of all parameters. */
     FrictionParameters();
 
-    /** What the sides may do along the normal. */
+    /** Freedom of the sides along the normal. */
     OpeningParameters opening;
 
     /** Kind of friction, the entry 'Friction'. */

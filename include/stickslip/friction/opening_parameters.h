@@ -11,7 +11,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * What the two sides of a fault may do along its normal.
+   * Freedom of the two sides of a fault along its normal.
    */
   enum class ContactKind
   {
@@ -22,7 +22,7 @@ namespace StickSlip
   };
 
   /**
-   * What the state does at a node whose sides do not touch.
+   * Evolution of the state at a node whose sides do not touch.
    */
   enum class OpenState
   {

@@ -44,6 +44,9 @@ namespace StickSlip
     /** In three dimensions, the direction next to which slip has its first
      * component; of any length, zero: chosen by make_fault_axes(). */
     std::array<double, 3> strike = {{0., 0., 0.}};
+
+    /** True if the sides need not touch where they are in the meshes. */
+    bool may_be_apart = false;
   };
 
   /**

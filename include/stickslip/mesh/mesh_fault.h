@@ -38,6 +38,9 @@ namespace StickSlip
      * is on both sides, upwards along the last axis that allows to say so. */
     std::array<std::vector<Side>, 2> between;
 
+    /** See Fault::may_be_apart. */
+    bool may_be_apart = false;
+
     /** True if the sides are groups at the boundaries of bodies. */
     bool
     has_side_groups() const

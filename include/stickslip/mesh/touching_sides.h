@@ -12,7 +12,9 @@ namespace StickSlip
   /**
    * Throws InputError if a part of a side of a fault is nowhere opposite to the
    * other side, or off it by more than a tenth of the size of the faces there,
-   * which is what meshes of curved sides need that do not match.
+   * which is what meshes of curved sides need that do not match; where the
+   * sides may be apart (Fault::may_be_apart), by more than the size of the
+   * faces, beyond which they would not find each other.
    *
    * @p bodies in the order of the topology.
    */

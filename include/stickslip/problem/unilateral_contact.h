@@ -111,7 +111,7 @@ namespace StickSlip
              const std::vector<bool>   &touching,
              const GapPath             &path) const;
 
-    /** What the step takes and adds along the normal, from contact pressures
+    /** Energy that the step takes and adds along the normal, from pressures
      * and gaps at both ends. */
     ContactEnergy
     energy(const SystemState<dim> &to,

@@ -24,6 +24,9 @@ namespace StickSlip
        */
       std::string between;
 
+      /** See Fault::may_be_apart. */
+      bool may_be_apart = false;
+
       /** Direction of the first component of slip, see Fault::strike. */
       std::array<double, 3> strike = {{0., 0., 0.}};
     };

@@ -54,6 +54,9 @@ namespace StickSlip
     SceneParameters<dim>
     named_scene() const;
 
+    bool
+    has_gap_from_mesh(const FaultParameters &fault) const;
+
     /** Read the mesh files of a scene whose bodies and faults are named. */
     template <int dim>
     void

@@ -49,13 +49,20 @@ namespace StickSlip
   bool
   is_any_open(const SystemState<dim> &state);
 
-  /** How far the sides are apart along the normal at each slave node with the
-   * present contact mapping, m: the mean over the dual function, which is not
-   * zero where sides bend that touch. Empty where nothing is open or no fault
-   * bends. Collective. */
+  /** How far the sides are apart along the normal at each slave node after a
+   * displacement, m, with the present contact mapping: the mean over the dual
+   * function, which is not zero where sides bend that touch. Collective. */
   template <int dim>
   std::vector<double>
-  side_distances(const ContactSpace<dim> &space, const SystemState<dim> &state);
+  side_distances(const ContactSpace<dim> &space,
+                 const NodalVector       &displacement);
+
+  /** side_distances() of a state; empty where nothing is open or no fault
+   * bends: gaps do not change with the mapping then. */
+  template <int dim>
+  std::vector<double>
+  distances_of_gaps(const ContactSpace<dim> &space,
+                    const SystemState<dim>  &state);
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
@@ -64,7 +71,7 @@ namespace StickSlip
    * from the new partners. Nodes that come into contact get the jump of the
    * velocities as they are, and the gap of their nearest neighbour. Sides that
    * touch keep doing so; gaps of others change by as much as their
-   * side_distances() from those with the mapping before. Collective.
+   * distances_of_gaps() from those with the mapping before. Collective.
    */
   template <int dim>
   void

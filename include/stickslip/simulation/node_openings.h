@@ -4,18 +4,19 @@
 #ifndef stickslip_simulation_node_openings_h
 #define stickslip_simulation_node_openings_h
 
-#include <stickslip/problem/contact_components.h>
+#include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/unilateral_contact.h>
 #include <stickslip/scene/scene_parameters.h>
 
 namespace StickSlip
 {
-  /** What each slave node may do along the normal; empty where no fault of the
-   * scene may open. Throws InputError where a field has no value. */
+  /** Freedom of each slave node along the normal; empty where no fault of the
+   * scene may open. @p space as it is without displacement. Throws InputError
+   * where a field has no value. Collective. */
   template <int dim>
   std::vector<NodeOpening>
   make_node_openings(const SceneParameters<dim> &scene,
-                     const JumpBasis<dim>       &basis);
+                     const ContactSpace<dim>    &space);
 
   /** The parts of the faults that may open, one entry a fault, none at all
    * where nothing may. The scene must outlive them. */

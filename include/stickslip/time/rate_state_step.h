@@ -84,7 +84,7 @@ namespace StickSlip
     }
 
   private:
-    /** What the iteration of one step needs to know of the contact; empty
+    /** Contact as the iteration of one step needs to know it; empty
      * where nothing may open. */
     struct ContactOfStep
     {

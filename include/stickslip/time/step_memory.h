@@ -30,6 +30,8 @@ namespace StickSlip
     std::vector<Tensor<1, dim - 1>> friction;
     /** Contact at each slave node. */
     std::vector<bool> in_contact;
+    /** True where the sides are apart; empty where no fault may open. */
+    std::vector<bool> is_open;
 
     /** Everything but the velocity, to or from a boost archive. */
     template <typename Archive>
@@ -37,7 +39,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &alpha &state_rate &normal_stress &contact_pressure
-        &slip_rate &friction &in_contact;
+        &slip_rate &friction &in_contact &is_open;
     }
   };
 
