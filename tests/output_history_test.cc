@@ -367,6 +367,63 @@ TEST(FaultHistory, SurvivesTheSuddenEndOfTheProgram)
 TEST(FaultHistory, ReportsAFileThatCannotBeMade)
 {
   const TemporaryFolder folder;
-  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"), {}, {}, {}),
+  EXPECT_THROW(FaultHistory<2>(folder.file("no/faults.h5"),
+                               {},
+                               std::vector<FaultLayout<2>>(),
+                               {}),
                InputError);
+}
+
+
+
+TEST(FaultHistory, GoesOnAsItWas)
+{
+  const TemporaryFolder folder;
+  const std::string     name = folder.file("faults.h5");
+  // Chunks of 16 records, of which some are full.
+  constexpr unsigned int n_nodes = 512, n_before = 40, n_all = 60;
+  const auto             add = [&](FaultHistory<2>   &history,
+                       const unsigned int from,
+                       const unsigned int to) {
+    for (unsigned int i = from; i < to; ++i)
+      history.add(i, {numbered_fault<2>("main", n_nodes, i)});
+  };
+  FileState state;
+  {
+    FaultHistory<2> history(name,
+                            {numbered_fault<2>("main", n_nodes, 0)},
+                            {numbered_shape<2>(n_nodes)},
+                            all_fields());
+    add(history, 0, n_before);
+    state                 = history.state();
+    std::uint64_t n_bytes = 0;
+    for (const auto &part : state.parts)
+      n_bytes += part.second.size();
+    EXPECT_EQ(state.size, std::filesystem::file_size(name));
+    EXPECT_LT(n_bytes, 0.6 * state.size);
+    const std::string then = content_of(name);
+    // Other values, as of a run that has gone on differently.
+    add(history, n_all, n_all + 30);
+    EXPECT_NE(content_of(name).substr(0, then.size()), then);
+    restore_file(name, state);
+    EXPECT_TRUE(content_of(name) == then);
+  }
+  FaultHistory<2> history(name,
+                          {numbered_fault<2>("main", n_nodes, 0)},
+                          all_fields(),
+                          state);
+  add(history, n_before, n_all);
+  std::filesystem::copy_file(name, folder.file("copy.h5"));
+  const Hdf5Handle file  = open_file(folder.file("copy.h5"));
+  const auto       times = read_array(file, "main/time").values,
+             slip        = read_array(file, "main/slip").values;
+  ASSERT_EQ(times.size(), n_all);
+  ASSERT_EQ(slip.size(), n_all * n_nodes);
+  for (unsigned int i = 0; i < n_all; ++i)
+    {
+      const FaultSnapshot<2> fault = numbered_fault<2>("main", n_nodes, i);
+      EXPECT_EQ(times[i], i);
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        EXPECT_EQ(slip[i * n_nodes + k], fault.slip[k][0]);
+    }
 }

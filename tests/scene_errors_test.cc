@@ -104,6 +104,45 @@ TEST(SceneErrors, OverridesAreCheckedLikeTheFile)
 
 
 
+TEST(SceneErrors, NearestNameIsOffered)
+{
+  expect_error(with("set b = 0.02", "set Reference slip rat = 1e-6"),
+               {},
+               {"line 19", "did you mean 'Faults/main/Reference slip rate'"});
+  // What is missed is there under a misspelt name.
+  expect_error(with("subsection Bodies\n", "subsection Bodys\n"),
+               {},
+               {"'Bodys/", "line 3", "no such entry; did you mean 'Bodies/"});
+  expect_error(two_bodies,
+               {"Faults/Nmes=main", "Faults/Names=main, other"},
+               {"'Faults/Nmes' = 'main'", "did you mean 'Faults/Names'"});
+}
+
+
+
+TEST(SceneErrors, FilesOfOddBytes)
+{
+  const TemporaryFolder folder;
+  // A byte order mark is taken.
+  const std::string marked =
+    folder.write("marked.prm", "\xEF\xBB\xBF" + std::string(two_bodies));
+  EXPECT_EQ(SceneReader(marked).read<2>().bodies.size(), 2u);
+  std::string text             = two_bodies;
+  text[text.find("Dimension")] = '\0';
+  expect_error(text, {}, {"scene.prm, line 1: there is a byte of value zero"});
+  const std::string blanks(1000000, ' ');
+  expect_error(with("set b = 0.02", "set b =" + blanks + "0.02" + blanks + "x"),
+               {},
+               {"'Faults/main/b' = '0.02 x'", "line 19"});
+  const std::string wide =
+    folder.write("wide.prm",
+                 with("Coarse cells = 16, 1",
+                      "Coarse cells = 16," + blanks + "1"));
+  EXPECT_EQ(SceneReader(wide).read<2>().bodies.size(), 2u);
+}
+
+
+
 TEST(SceneErrors, InertiaIsOneOfThree)
 {
   expect_error(two_bodies,

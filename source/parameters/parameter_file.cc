@@ -17,6 +17,32 @@ namespace StickSlip
 
   namespace
   {
+    /** The text with one blank in place of each run of more than a file name
+     * can have, over which deal.II's lists would take the square of the
+     * time. */
+    std::string
+    without_long_gaps(const std::string &text)
+    {
+      constexpr std::size_t longest_name = 255;
+      std::string           result;
+      std::size_t           begin = 0;
+      while (begin < text.size())
+        {
+          const std::size_t gap = text.find(' ', begin);
+          const std::size_t end = text.find_first_not_of(' ', gap);
+          result += text.substr(begin, gap - begin);
+          if (gap == std::string::npos)
+            break;
+          const std::size_t next = std::min(end, text.size());
+          result +=
+            std::string(next - gap > longest_name ? 1 : next - gap, ' ');
+          begin = next;
+        }
+      return result;
+    }
+
+
+
     // Inner spaces carry no meaning in names.
     std::string
     squeeze(const std::string &text)
@@ -53,9 +79,16 @@ namespace StickSlip
         while (std::getline(file, line))
           {
             ++line_number;
+            // Some editors begin files with a byte order mark of UTF-8.
+            if (line_number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
+              line.erase(0, 3);
+            if (line.find('\0') != std::string::npos)
+              throw InputError(here() +
+                               ": there is a byte of value zero; a parameter "
+                               "file is plain text in UTF-8.");
             line = line.substr(0, line.find('#'));
             std::replace(line.begin(), line.end(), '\t', ' ');
-            line = Utilities::trim(line);
+            line = without_long_gaps(Utilities::trim(line));
 
             // A backslash at the end continues the statement on the next line.
             const bool continues = !line.empty() && line.back() == '\\';

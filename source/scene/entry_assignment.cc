@@ -8,6 +8,7 @@
 #include <stickslip/parameters/spatial_field.h>
 #include <stickslip/parameters/stress_field.h>
 #include <stickslip/scene/entry_assignment.h>
+#include <stickslip/scene/known_entries.h>
 
 #include <algorithm>
 
@@ -86,8 +87,21 @@ namespace StickSlip
   {
     const auto declared = find_declared(entries, assignment);
     if (declared == entries.end())
-      throw InputError(naming(assignment) + ": there is no such entry; " +
-                       alternatives(assignment, entries) + ".");
+      {
+        std::vector<std::string> paths;
+        for (const DeclaredEntry &entry : entries)
+          {
+            std::string path;
+            for (const std::string &section : entry.sections)
+              path += section + "/";
+            paths.push_back(path + entry.name);
+          }
+        const std::string nearest = nearest_name(assignment.path(), paths);
+        throw InputError(
+          naming(assignment) + ": there is no such entry; " +
+          (nearest.empty() ? "" : "did you mean '" + nearest + "'; ") +
+          alternatives(assignment, entries) + ".");
+      }
 
     for (const std::string &section : assignment.sections)
       prm.enter_subsection(section);

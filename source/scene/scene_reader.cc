@@ -8,6 +8,7 @@
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/scene/coarser_mesh_files.h>
 #include <stickslip/scene/entry_assignment.h>
+#include <stickslip/scene/known_entries.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/scene_reader.h>
@@ -403,8 +404,18 @@ namespace StickSlip
   {
     Assert(dim == dimension(), ExcDimensionMismatch(dim, dimension()));
 
-    SceneParameters<dim> scene        = named_scene<dim>();
-    const MeshEntries    mesh_entries = scene.mesh_entries;
+    SceneParameters<dim> scene;
+    try
+      {
+        scene = named_scene<dim>();
+      }
+    catch (const InputError &)
+      {
+        // What is missing may be there under a misspelt name.
+        refuse_unknown_entries(assignments);
+        throw;
+      }
+    const MeshEntries mesh_entries = scene.mesh_entries;
     {
       ParameterHandler prm;
       declare_scene(prm, scene);

@@ -4,11 +4,13 @@
 #ifndef stickslip_scene_scene_writer_h
 #define stickslip_scene_scene_writer_h
 
+#include <stickslip/parameters/declared_entries.h>
 #include <stickslip/scene/scene_parameters.h>
 
 #include <iosfwd>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace StickSlip
 {
@@ -34,6 +36,11 @@ namespace StickSlip
   template <int dim>
   SceneEntries
   entries_of(const SceneParameters<dim> &scene);
+
+  /** All entries that a scene of three dimensions may have, of a body, a fault,
+   * a region and sides with placeholders as names. */
+  std::vector<DeclaredEntry>
+  entries_of_any_scene();
 
   /**
    * The reference of all entries in Markdown, made from their declarations: a
