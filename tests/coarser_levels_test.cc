@@ -163,6 +163,8 @@ TEST(CoarserLevels, IterationsAreThoseOfAFactorisation)
   expect_iterations(SineBodies<2>(0.06, {48, 25, 13}, Cells::triangles, 1), 18);
   expect_iterations(SineBodies<3>(0.06, {12, 7, 4}, Cells::quadrilaterals, 1),
                     16);
+  // Tetrahedra.
+  expect_iterations(SineBodies<3>(0.06, {9, 6, 4}, Cells::triangles, 1), 18);
 }
 
 
