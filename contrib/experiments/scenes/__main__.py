@@ -20,7 +20,9 @@ from . import (
     curved_strike_slip,
     junctions,
     large_slip,
+    lifted_slabs,
     nine_bodies,
+    opening_wave,
     rough_fault,
     slow_slip,
     thrusts,
@@ -40,6 +42,9 @@ SECTIONS = {
     "curved_strike_slip": curved_strike_slip.outcome,
     "crossing_faults": junctions.crossing,
     "branching_fault": junctions.branching,
+    "opening_wave": opening_wave.outcome,
+    "lifted_patch": lifted_slabs.patch,
+    "lifted_corner": lifted_slabs.corner,
 }
 
 
