@@ -85,6 +85,7 @@ VARIANTS = {
     },
     "fault that bends": {"Faults/fault/Elevation": "0.05*sin(2*pi*x/5)"},
     "normal stress follows": {"Faults/fault/Normal stress follows": "true"},
+    "fault that may open (and does not)": {"Faults/fault/Contact": "unilateral"},
     "lower body rigid": {
         "Bodies/lower/Rigid": "true", "Faults/fault/Normal stress": "lithostatic",
     },

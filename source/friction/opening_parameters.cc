@@ -38,8 +38,8 @@ namespace StickSlip
                "Bond healing time",
                bond_healing_time,
                NumberRange().at_least(0),
-               "Time in which the sides of a broken bond must neither part nor "
-               "slip before they are bonded again, in s (0: they never are).");
+               "Time for which the sides must touch after a bond has broken "
+               "before they are bonded again, in s (0: they never are).");
     add_field(prm,
               "Initial gap",
               initial_gap,
