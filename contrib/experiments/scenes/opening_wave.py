@@ -120,8 +120,9 @@ def draw(waves, gap):
     panel = axes[3]
     for (name, other), colour in zip(waves.items(), COLOURS):
         panel.plot(other.x, 1e3 * other.slip[-1], color=colour, label=name)
-    panel.set(xlim=(wave.x[0], wave.x[-1]), xlabel="x [m]", ylabel="slip [mm]")
-    panel.legend(loc="upper right")
+    panel.set(xlim=(wave.x[0], wave.x[-1]), ylim=(None, 3.2), xlabel="x [m]",
+              ylabel="slip [mm]")
+    panel.legend(loc="upper left")
     panel.grid(alpha=0.3)
     title(panel, "Slip that remains")
     return figure
