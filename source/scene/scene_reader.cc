@@ -411,7 +411,7 @@ namespace StickSlip
       }
     catch (const InputError &)
       {
-        // What is missing may be there under a misspelt name.
+        // Entries that are missing may be there under a misspelt name.
         refuse_unknown_entries(assignments);
         throw;
       }
