@@ -35,8 +35,8 @@ namespace StickSlip
     bool
     fit(const std::vector<Point<3>> &points, const unsigned int degree);
 
-    /** Where a point near to the surface gets on it along a direction, which is
-     * not in the plane, m. */
+    /** The place on the surface of a point near to it, moved along a direction
+     * that is not in the plane, m. */
     Point<3>
     moved_along(const Point<3> &point, const Tensor<1, 3> &direction) const;
 
