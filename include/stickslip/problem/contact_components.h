@@ -16,8 +16,8 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * Which of some points of a fault in the reference configuration may open; an
-   * empty function where none may.
+   * The answers whether points of a fault, in the reference configuration, may
+   * open; an empty function where none may.
    */
   template <int dim>
   using OpeningParts =
