@@ -19,8 +19,8 @@ namespace StickSlip
    * vertices around is a height over the mean plane there (fewer terms where
    * these are few). A point in a face is moved as the polynomials of the
    * vertices of the face say, weighted by their (multi)linear functions: the
-   * distance from a smooth surface is of fourth order in the size of the faces,
-   * that of normals of third, up to the edges.
+   * distance from a cap of a sphere falls with order 3.8 in the size of the
+   * faces, the error of normals with 2.3 to 2.7, up to the edges.
    *
    * Edges at which faces turn by more than least_corner stay, and parts of the
    * surface on both sides of them do not know each other: these edges should be
