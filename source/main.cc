@@ -41,10 +41,10 @@ namespace
     std::string checkpoint;
     if (command_line.restart)
       checkpoint = find_checkpoint(scene, MPI_COMM_WORLD);
-    std::unique_ptr<FolderLock> lock;
+    std::unique_ptr<OutputFolder> folder;
     carry_out_agreed(MPI_COMM_WORLD, [&]() {
       if (is_first_process)
-        lock =
+        folder =
           claim_output_folder(scene.output.directory,
                               reader,
                               command_line.restart ? EarlierResults::go_on :

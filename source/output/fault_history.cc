@@ -163,7 +163,7 @@ namespace StickSlip
         , time(group, "time")
       {
         for (const auto &[field, name] : fault_field_names())
-          if (has_field(wanted, field))
+          if (has_field(wanted, field) && has_values(fault, field))
             fields.push_back({field, Hdf5Series(group, name)});
       }
 

@@ -80,7 +80,8 @@ namespace StickSlip
   {
     std::vector<std::filesystem::path> found;
     for (const auto &item : std::filesystem::directory_iterator(path))
-      if (is_result(item.path()))
+      if (is_result(item.path()) &&
+          (item.is_regular_file() || item.path().filename() == "checkpoints"))
         found.push_back(item.path());
     return found;
   }
