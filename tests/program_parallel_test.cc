@@ -175,13 +175,13 @@ TEST(ProgramParallel, FileThatCannotBeWrittenEndsAllProcesses)
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(
     outcome.errors,
-    "stickslip: The file 'output/scene/solution_00002.vtu' could not be "
-    "written.\n");
+    "stickslip: The file 'output/scene/solution_00002.vtu' cannot be written "
+    "(Is a directory).\n");
   // Everything else is there, the reason too.
   std::filesystem::remove_all(folder.file("output/scene/solution_00002.vtu"));
   EXPECT_EQ(problems_of_output(folder, "output/scene"), "");
   EXPECT_NE(content_of(folder.file("output/scene/summary.txt"))
-              .find("could not be written"),
+              .find("cannot be written"),
             std::string::npos);
 }
 
