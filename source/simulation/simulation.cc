@@ -208,7 +208,10 @@ namespace StickSlip
   Simulation<dim>::write_state(const std::string &file_name)
   {
     if (record)
-      run_state.record = record->state();
+      {
+        run_state.record          = record->state();
+        run_state.recorded_faults = record->faults();
+      }
     run_state.linearisations = rate_state_step->kept_linearisations();
     write_run_state(file_name,
                     run_state,
@@ -406,11 +409,19 @@ namespace StickSlip
   void
   Simulation<dim>::open_record()
   {
-    const bool goes_on = !run_state.restarts.empty();
-    record             = std::make_unique<RunRecord<dim>>(
-      scene, problem, fault_snapshots(), goes_on ? &run_state.record : nullptr);
+    const bool                      goes_on   = !run_state.restarts.empty();
+    std::vector<FaultSnapshot<dim>> snapshots = fault_snapshots();
+    for (unsigned int f = 0; f < run_state.recorded_faults.size(); ++f)
+      {
+        FaultSnapshot<dim> &recorded = run_state.recorded_faults[f];
+        recorded.name                = snapshots[f].name;
+        recorded.points              = snapshots[f].points;
+        snapshots[f]                 = recorded;
+      }
+    record = std::make_unique<RunRecord<dim>>(
+      scene, problem, snapshots, goes_on ? &run_state.record : nullptr);
     if (!goes_on)
-      record->add(StepRecord(), state(), fault_snapshots());
+      record->add(StepRecord(), state(), snapshots);
   }
 
 

@@ -88,6 +88,16 @@ namespace StickSlip
     {
       return !gap.empty();
     }
+
+    /** Members that change from step to step, but for those which are there
+     * only where they are written, to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &weights &slip &slip_rate &shear_traction &normal_stress &state
+        &contact_pressure &gap &opening_rate &is_bonded &largest_gap;
+    }
   };
 
   /**

@@ -50,6 +50,14 @@ namespace StickSlip
         const SystemState<dim>                &state,
         const std::vector<FaultSnapshot<dim>> &faults);
 
+    /** The faults as they were taken in last: with the contact mapping of that
+     * step, which another one may have followed. */
+    const std::vector<FaultSnapshot<dim>> &
+    faults() const
+    {
+      return last_faults;
+    }
+
     /** Memory of all that has been written so far. */
     RecordState
     state() const;

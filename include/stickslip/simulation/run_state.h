@@ -120,6 +120,9 @@ namespace StickSlip
     RunCounts       counts;
     RecordState     record;
 
+    /** RunRecord::faults(), without names and points; empty at the start. */
+    std::vector<FaultSnapshot<dim>> recorded_faults;
+
     /** Times at which the run went on from a checkpoint, s. */
     std::vector<double> restarts;
 
@@ -146,7 +149,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &system &coupled_slip &expected_slip &largest_gaps &stress_offset
-        &steps &energy &counts &record &restarts;
+        &steps &energy &counts &record &recorded_faults &restarts;
     }
   };
 } // namespace StickSlip
