@@ -7,14 +7,17 @@
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/libraries.h>
+#include <stickslip/base/machine_memory.h>
 #include <stickslip/scene/command_line.h>
+#include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/mesh_report.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/scene/scene_writer.h>
+#include <stickslip/scene/version_report.h>
 #include <stickslip/simulation/checkpoints.h>
 #include <stickslip/simulation/output_folder.h>
 #include <stickslip/simulation/simulation.h>
-#include <stickslip/version.h>
+#include <stickslip/simulation/start_report.h>
 
 #include <chrono>
 #include <iostream>
@@ -30,6 +33,25 @@ namespace
 
 
 
+  template <int dim, int n_components>
+  int
+  simulate(const SceneParameters<dim> &scene,
+           const std::string          &checkpoint,
+           const bool                  is_first_process)
+  {
+    Simulation<dim, n_components> simulation(scene, MPI_COMM_WORLD);
+    if (!checkpoint.empty())
+      {
+        simulation.resume(checkpoint);
+        if (is_first_process)
+          std::cout << "The run goes on from t = " << simulation.state().time
+                    << " s (" << checkpoint << ")." << std::endl;
+      }
+    return simulation.run() ? 0 : interrupted;
+  }
+
+
+
   template <int dim>
   int
   run(const SceneReader &reader,
@@ -38,6 +60,9 @@ namespace
   {
     SceneParameters<dim> scene;
     carry_out_agreed(MPI_COMM_WORLD, [&]() { scene = reader.read<dim>(); });
+    refuse_too_large_meshes(scene,
+                            n_processes_on_machine(MPI_COMM_WORLD),
+                            machine_memory());
     std::string checkpoint;
     if (command_line.restart)
       checkpoint = find_checkpoint(scene, MPI_COMM_WORLD);
@@ -52,15 +77,22 @@ namespace
                                                      EarlierResults::overwrite :
                                                      EarlierResults::refuse);
     });
-    Simulation<dim> simulation(scene, MPI_COMM_WORLD);
-    if (command_line.restart)
+    if (is_first_process)
+      report_start(scene,
+                   dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                   reader.warnings(),
+                   std::cout);
+    try
       {
-        simulation.resume(checkpoint);
-        if (is_first_process)
-          std::cout << "The run goes on from t = " << simulation.state().time
-                    << " s (" << checkpoint << ")." << std::endl;
+        if constexpr (dim == 2)
+          if (scene.deformation == Deformation::antiplane)
+            return simulate<dim, 1>(scene, checkpoint, is_first_process);
+        return simulate<dim, dim>(scene, checkpoint, is_first_process);
       }
-    return simulation.run() ? 0 : interrupted;
+    catch (const InputError &error)
+      {
+        throw InputError(reader.with_origin(error.what()));
+      }
   }
 
 
@@ -73,12 +105,81 @@ namespace
       const auto scene = reader.read<dim>();
       if (!is_first_process)
         return;
+      refuse_too_large_meshes(scene,
+                              dealii::Utilities::MPI::n_mpi_processes(
+                                MPI_COMM_WORLD),
+                              machine_memory());
+      report_start(scene,
+                   dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                   reader.warnings(),
+                   std::cout);
       report_meshes(scene, std::cout);
       write_mesh_pictures(scene, scene.output.directory);
       std::cout << "The meshes are in " << scene.output.directory
                 << "/mesh_*.vtk." << std::endl;
     });
     return 0;
+  }
+
+
+
+  template <int dim>
+  int
+  print_parameters(const SceneReader &reader, const bool is_first_process)
+  {
+    carry_out_agreed(MPI_COMM_WORLD, [&]() {
+      const auto scene = reader.read<dim>();
+      if (is_first_process)
+        write_parameters(scene, std::cout);
+    });
+    return 0;
+  }
+
+
+
+  int
+  check(const std::string &file,
+        const CommandLine &command_line,
+        const bool         is_first_process)
+  {
+    std::unique_ptr<SceneReader> reader;
+    carry_out_agreed(MPI_COMM_WORLD, [&]() {
+      reader = std::make_unique<SceneReader>(file, command_line.overrides);
+    });
+    return reader->dimension() == 2 ? check<2>(*reader, is_first_process) :
+                                      check<3>(*reader, is_first_process);
+  }
+
+
+
+  /** Check several files, each whatever is wrong with the others. */
+  int
+  check_all(const CommandLine &command_line, const bool is_first_process)
+  {
+    std::vector<std::string> files = {command_line.parameter_file};
+    files.insert(files.end(),
+                 command_line.more_files.begin(),
+                 command_line.more_files.end());
+    if (files.size() == 1)
+      return check(files[0], command_line, is_first_process);
+    int status = 0;
+    for (const std::string &file : files)
+      {
+        if (is_first_process)
+          std::cout << file << ":" << std::endl;
+        try
+          {
+            check(file, command_line, is_first_process);
+          }
+        catch (const std::exception &error)
+          {
+            status = 1;
+            if (is_first_process)
+              std::cerr << "stickslip: " << file << ": " << sentence(error)
+                        << std::endl;
+          }
+      }
+    return status;
   }
 
 
@@ -94,13 +195,15 @@ namespace
           return 0;
         case CommandLine::Task::print_version:
           if (may_print)
-            std::cout << "stickslip " << version << std::endl;
+            std::cout << version_report();
           return 0;
         case CommandLine::Task::print_parameter_reference:
           if (may_print)
             print_parameter_reference(std::cout);
           return 0;
         case CommandLine::Task::check:
+          return check_all(command_line, may_print);
+        case CommandLine::Task::print_parameters:
         case CommandLine::Task::run:
           {
             std::unique_ptr<SceneReader> reader;
@@ -109,12 +212,13 @@ namespace
                 std::make_unique<SceneReader>(command_line.parameter_file,
                                               command_line.overrides);
             });
-            const bool is_check = command_line.task == CommandLine::Task::check;
-            if (reader->dimension() == 2)
-              return is_check ? check<2>(*reader, may_print) :
-                                run<2>(*reader, command_line, may_print);
-            return is_check ? check<3>(*reader, may_print) :
-                              run<3>(*reader, command_line, may_print);
+            if (command_line.task == CommandLine::Task::print_parameters)
+              return reader->dimension() == 2 ?
+                       print_parameters<2>(*reader, may_print) :
+                       print_parameters<3>(*reader, may_print);
+            return reader->dimension() == 2 ?
+                     run<2>(*reader, command_line, may_print) :
+                     run<3>(*reader, command_line, may_print);
           }
       }
     return 1;

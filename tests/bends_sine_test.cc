@@ -128,6 +128,15 @@ end
     return most_energy * std::pow(std::sin(k * slip / 2.), 2);
   }
 
+  /** The derivative of the energy, N: the force that slides the upper body. */
+  constexpr double most_drag = most_energy * k / 2.;
+
+  double
+  expected_drag(const double slip)
+  {
+    return most_drag * std::sin(k * slip);
+  }
+
 
 
   /** The largest departures from the closed form along a run, over what is
@@ -135,18 +144,23 @@ end
   struct Departures
   {
     double pressure = 0, roughness = 0, pressure_step = 0, gap = 0, energy = 0,
-           work = 0;
+           work = 0, drag = 0;
     /** Energy that is missing after each wave. */
     std::vector<double> missing;
+    /** The sine in the pressure after each step. */
+    std::vector<std::complex<double>> waves;
   };
 
   Departures
   slide(const std::vector<std::string> &overrides)
   {
-    Simulation<2> simulation(read_scene(layers, overrides), MPI_COMM_WORLD);
+    const SceneParameters<2> scene = read_scene(layers, overrides);
+    Simulation<2>            simulation(scene, MPI_COMM_WORLD);
     simulation.set_up();
+    const bool          has_inertia = scene.time.inertia == Inertia::dynamic;
     Departures          worst;
     std::vector<double> before;
+    double              slip_before = 0, work_before = 0;
     while (!simulation.is_finished())
       {
         simulation.advance();
@@ -166,6 +180,7 @@ end
         const auto note = [](double &largest, const double value) {
           largest = std::max(largest, std::abs(value));
         };
+        worst.waves.push_back(wave);
         note(worst.pressure,
              std::abs(wave - expected_pressure(slip)) / most_pressure);
         for (unsigned int p = 0; p < fault.points.size(); ++p)
@@ -190,6 +205,17 @@ end
         note(worst.work,
              energy.work().driven_sides / most_energy + missing -
                expected_energy(slip) / most_energy);
+        // Waves that run to and fro between the driven side and the fault are
+        // in the force on that side as well.
+        if (const double work = energy.work().driven_sides; !has_inertia)
+          {
+            note(worst.drag,
+                 ((work - work_before) / (slip - slip_before) -
+                  expected_drag(0.5 * (slip + slip_before))) /
+                   most_drag);
+            work_before = work;
+            slip_before = slip;
+          }
         if (simulation.state().time > worst.missing.size() + 1. - 1e-9)
           worst.missing.push_back(missing);
       }
@@ -209,11 +235,38 @@ TEST(SlidingOverASine, HasThePressureAndTheEnergyOfHalfSpaces)
   EXPECT_LT(worst.gap, 3e-3);
   EXPECT_LT(worst.energy, 0.015);
   EXPECT_LT(worst.work, 0.015);
+  EXPECT_LT(worst.drag, 0.07);
   // A new mapping is a jump of the partners by a quarter of a face.
   ASSERT_EQ(worst.missing.size(), 2u);
   EXPECT_LT(std::abs(worst.missing[0]), 0.06);
   // The second wave repeats the first.
   EXPECT_NEAR(worst.missing[1], 2. * worst.missing[0], 1e-3);
+  const unsigned int n = worst.waves.size() / 2;
+  for (unsigned int i = 0; i < n; ++i)
+    EXPECT_LT(std::abs(worst.waves[n + i] - worst.waves[i]),
+              2e-2 * most_pressure);
+  std::cout << "pressure " << worst.pressure << ", roughness "
+            << worst.roughness << ", step " << worst.pressure_step << ", gap "
+            << worst.gap << ", energy " << worst.energy << ", drag "
+            << worst.drag << ", missing " << worst.missing[0] << '\n';
+}
+
+
+
+// Intervals are the default, and steps a thirtieth of those that follow waves.
+TEST(SlidingOverASine, WithInertiaLosesLittleEnergy)
+{
+  const Departures worst = slide({"Time/Inertia=dynamic",
+                                  "Time/Largest step=0.00048828125",
+                                  "Contact/Rebuild fraction=0.0625"});
+  std::cout << "pressure " << worst.pressure << ", roughness "
+            << worst.roughness << ", step " << worst.pressure_step << ", gap "
+            << worst.gap << ", energy " << worst.energy << ", missing "
+            << worst.missing[0] << '\n';
+  EXPECT_LT(worst.pressure, 0.015);
+  EXPECT_LT(worst.pressure_step, 0.02);
+  EXPECT_LT(worst.gap, 1.5e-3);
+  EXPECT_LT(std::abs(worst.missing[0]), 0.01);
 }
 
 

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/mesh/block.h>
-#include <stickslip/mesh/fault_cutting.h>
+#include <stickslip/geometry/block.h>
+#include <stickslip/geometry/fault_cutting.h>
 #include <stickslip/scene/scene_reader.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the stickslip authors
 """Check that the VTU files of the faults agree with the other files of a run.
 
-Usage: check_fault_surfaces.py FOLDER FAULT...
+Usage: check_fault_surfaces.py [--box] FOLDER FAULT...
 
 Prints one line for each contradiction and returns 1 if there are any. Files are read
 without VTK, and once more with it where its Python modules are there:
@@ -13,11 +13,11 @@ without VTK, and once more with it where its Python modules are there:
   been displaced with them;
 - fields and axes are those of the last record in faults.h5;
 - axes are orthonormal, and the normal is normal to the faces around a node;
+- cells of bodies that fill a box (--box) do so as VTK sees them;
 - faces join all nodes, and in two dimensions the way along the fault is the length of
   the faces on it.
 """
 
-import base64
 import pathlib
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -27,9 +27,8 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "contrib"))
 
-from experiments.scenes.volume import decode
+from common.vtu_file import decode
 
-TYPES = {"Float64": np.float64, "Int64": np.int64, "UInt8": np.uint8}
 UNITS = {"slip": "m", "slip_rate": "m/s", "shear_traction": "Pa", "normal_stress": "Pa",
          "state": "s", "contact_pressure": "Pa", "gap": "m", "opening_rate": "m/s",
          "contact_state": "1"}
@@ -47,11 +46,7 @@ class Surface:
         piece = root.find(".//Piece")
         self.arrays, self.units = {}, {}
         for array in piece.iter("DataArray"):
-            data = base64.b64decode(array.text.strip())
-            size = int.from_bytes(data[:8], "little")
-            if size != len(data) - 8:
-                raise ValueError(f"{array.get('Name')}: {size} of {len(data) - 8} bytes")
-            values = np.frombuffer(data[8:], TYPES[array.get("type")])
+            values = decode(array)
             n = int(array.get("NumberOfComponents"))
             self.arrays[array.get("Name")] = values.reshape(-1, n) if n > 1 else values
             key = array.find("InformationKey")
@@ -183,7 +178,27 @@ def check_with_vtk(name, path, surface):
             yield f"{name}: VTK reads {array.GetName()} in {units}"
 
 
-def check(folder, faults):
+def check_bodies_with_vtk(path, size):
+    """VTK reads cells of the bodies that fill their box, SIZE in area or volume."""
+    try:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    except ImportError:
+        return
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputConnection(reader.GetOutputPort())
+    sizes.Update()
+    cells = sizes.GetOutput().GetCellData()
+    is_plane = not vtk_to_numpy(sizes.GetOutput().GetPoints().GetData())[:, 2].any()
+    found = vtk_to_numpy(cells.GetArray("Area" if is_plane else "Volume"))
+    if not found.min() > 0 or abs(found.sum() - size) > 1e-5 * size:
+        yield f"{path.name}: VTK reads cells of {found.min()} to a sum of {found.sum()}"
+
+
+def check(folder, faults, is_box):
     files, volumes = listed(folder / "faults.pvd"), listed(folder / "solution.pvd")
     expected = [(time, part, f"fault_{fault}_{number:05d}.vtu")
                 for number, (time, _, _) in enumerate(volumes)
@@ -194,6 +209,9 @@ def check(folder, faults):
     if {name for _, _, name in files} != {p.name for p in folder.glob("fault_*.vtu")}:
         yield "there are other files than in faults.pvd"
     bodies = points_of_bodies(folder / volumes[-1][2])
+    if is_box:
+        yield from check_bodies_with_vtk(
+            folder / volumes[-1][2], np.prod([e for e in np.ptp(bodies[0], axis=0) if e]))
     with h5py.File(folder / "faults.h5", "r") as file:
         for time, _, name in files[-len(faults):]:
             fault = name[len("fault_"):-len("_00000.vtu")]
@@ -210,7 +228,9 @@ def check(folder, faults):
 
 
 def main():
-    problems = list(check(pathlib.Path(sys.argv[1]), sys.argv[2:]))
+    is_box = sys.argv[1] == "--box"
+    folder, *faults = sys.argv[2 if is_box else 1:]
+    problems = list(check(pathlib.Path(folder), faults, is_box))
     for problem in problems:
         print(problem)
     return 1 if problems else 0

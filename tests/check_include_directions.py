@@ -21,26 +21,30 @@ ALLOWED = {
     "tnnmg": ("multigrid", "algebra", "base"),
     "condensed": ("tnnmg", "multigrid", "algebra", "base"),
     "parameters": ("base",),
-    "mesh": ("parameters", "algebra", "base"),
-    "mortar": ("parameters", "mesh", "algebra", "base"),
-    "mechanics": ("parameters", "mesh", "algebra", "base"),
+    "geometry": ("parameters", "base"),
+    "mesh": ("geometry", "parameters", "algebra", "base"),
+    "mortar": ("parameters", "mesh", "geometry", "algebra", "base"),
+    "mechanics": ("parameters", "mesh", "geometry", "algebra", "base"),
     "friction": ("parameters", "base", "tnnmg/nonsmooth_functional.h"),
-    "faults": ("friction", "mechanics", "mortar", "mesh", "algebra", "base"),
+    "faults": (
+        "friction", "mechanics", "mortar", "mesh", "geometry", "algebra", "base",
+    ),
     "problem": (
-        "faults", "mechanics", "mortar", "mesh", "multigrid", "algebra", "base",
+        "faults", "mechanics", "mortar", "mesh", "geometry", "multigrid",
+        "algebra", "base",
     ),
     "time": (
         "problem", "faults", "friction", "mechanics", "parameters", "condensed",
         "tnnmg", "algebra", "base",
     ),
-    "output": ("parameters", "mesh", "algebra", "base"),
+    "output": ("parameters", "mesh", "geometry", "algebra", "base"),
     "scene": (
-        "output", "time", "friction", "mechanics", "mortar", "mesh",
+        "output", "time", "friction", "mechanics", "mortar", "mesh", "geometry",
         "parameters", "tnnmg", "base",
     ),
     "simulation": (
         "scene", "output", "time", "problem", "faults", "friction", "mechanics",
-        "mortar", "mesh", "parameters", "condensed", "tnnmg", "multigrid",
+        "mortar", "mesh", "geometry", "parameters", "condensed", "tnnmg", "multigrid",
         "algebra", "base",
     ),
 }

@@ -11,6 +11,8 @@ any:
 
 - the strain of each cell is that of the displacement, the stress follows from it by
   Hooke's law;
+- the stress out of the plane is that of plane strain;
+- VTK reads the same from the file, with units and the names of the bodies;
 - the forces on the upper body, that of the contact and LOAD from above, N/m, give it
   its vertical acceleration.
 """
@@ -23,9 +25,13 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "contrib"))
 
+from common.vtu_file import decode
 from experiments.scenes.volume import Volume, volumes
 
 YOUNGS_MODULUS, POISSONS_RATIO, DENSITY = 4.12e7, 0.3, 5000.0
+BODIES = ["lower", "upper"]
+UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2",
+         "stress": "Pa", "strain": "1"}
 # Files hold numbers of single precision.
 PRECISION = 2e-6
 
@@ -54,6 +60,41 @@ def is_near(a, b, size):
     return np.abs(a - b).max() <= PRECISION * size
 
 
+def check_with_vtk(path, volume):
+    try:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkCommonCore import vtkDataArray
+        from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    except ImportError:
+        return
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    names = grid.GetFieldData().GetAbstractArray("body_names")
+    if [names.GetValue(k) for k in range(names.GetNumberOfValues())] != BODIES:
+        yield "VTK reads other names of bodies"
+    for data, arrays in ((grid.GetPointData(), volume.at_points),
+                         (grid.GetCellData(), volume.at_cells)):
+        if {data.GetArrayName(k) for k in range(data.GetNumberOfArrays())} != set(arrays):
+            yield f"VTK does not read {sorted(arrays)}"
+            return
+        for name, element in arrays.items():
+            array = data.GetArray(name)
+            if not np.array_equal(vtk_to_numpy(array).ravel(), decode(element)):
+                yield f"VTK reads another {name}"
+            unit = array.GetInformation().Get(vtkDataArray.UNITS_LABEL())
+            if unit != UNITS.get(name.split("_")[0]):
+                yield f"VTK reads {name} in {unit}"
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputData(grid)
+    sizes.Update()
+    areas = vtk_to_numpy(sizes.GetOutput().GetCellData().GetArray("Area"))
+    if not is_near(areas, np.prod(volume.sizes(), axis=0), areas.max()):
+        yield "VTK has cells of another size"
+
+
 def check(folder, load):
     volume = Volume(volumes(folder)[1][-1])
     strain = tensor(volume, "strain")
@@ -66,6 +107,11 @@ def check(folder, load):
     stress[:, [0, 2]] += lame * (strain[:, [0]] + strain[:, [2]])
     if not is_near(tensor(volume, "stress"), stress, np.abs(stress).max()):
         yield "the stress does not follow from the strain"
+
+    out_of_plane = POISSONS_RATIO * (stress[:, 0] + stress[:, 2])
+    if not is_near(volume.field("stress_zz")[:, 0], out_of_plane, np.abs(stress).max()):
+        yield "the stress out of the plane is not that of plane strain"
+    yield from check_with_vtk(volumes(folder)[1][-1], volume)
 
     area = np.prod(volume.sizes(), axis=0)
     upper = volume.body == 1

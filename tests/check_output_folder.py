@@ -24,6 +24,7 @@ FAULT_COLUMNS = ["max_slip_rate", "mean_slip_rate", "min_slip_rate"]
 FAULT_COLUMNS += ["mean_slip", "mean_state", "mean_shear_traction"]
 EVENT_COLUMNS = ["fault", "start", "peak_time", "end", "peak_mean_slip_rate"]
 EVENT_COLUMNS += ["peak_slip_rate", "mean_slip", "nucleation_x"]
+EVENT_COLUMNS += ["moment", "stress_drop", "ruptured_area"]
 OPENING_COLUMNS = ["fault", "opens", "peak_time", "closes", "largest_gap"]
 OPENING_COLUMNS += ["largest_open_area", "begins_x", "widest_x"]
 FIELDS = ["slip", "slip_rate", "shear_traction", "normal_stress", "state"]
@@ -197,9 +198,40 @@ def check_openings(folder, faults, summary):
             yield f"the opening {row} is out of order"
 
 
+def check_energies(folder):
+    """Yield what is wrong in energy.csv: its rows are those of time_series.csv."""
+    if not (folder / "energy.csv").is_file():
+        return
+    tables = []
+    for name in ("energy.csv", "time_series.csv"):
+        with open(folder / name, newline="") as file:
+            tables.append(list(csv.DictReader(file)))
+    if [row["time"] for row in tables[0]] != [row["time"] for row in tables[1]]:
+        yield "energy.csv has other times than time_series.csv"
+    for row in tables[0]:
+        if not all(math.isfinite(float(value)) for value in row.values()):
+            yield f"energy.csv has a value that is not finite: {row}"
+
+
+def check_columns(folder):
+    """Yield the columns of tables that columns.csv does not name in their order."""
+    with open(folder / "columns.csv", newline="") as file:
+        described = list(csv.DictReader(file))
+    for path in sorted(folder.glob("*.csv")):
+        if path.name == "columns.csv":
+            continue
+        with open(path, newline="") as file:
+            titles = next(csv.reader(file))
+        if [row["column"] for row in described if row["file"] == path.name] != titles:
+            yield f"columns.csv does not describe {path.name}"
+    if not all(row["meaning"] for row in described):
+        yield "columns.csv has columns without meaning"
+
+
 def check(folder, faults):
     """Yield a sentence for each contradiction."""
-    for name in ("parameters.prm", "summary.txt", "time_series.csv", "events.csv"):
+    for name in ("parameters.prm", "summary.txt", "time_series.csv", "events.csv",
+                 "columns.csv"):
         if not (folder / name).is_file():
             yield f"{name} is missing"
             return
@@ -209,6 +241,8 @@ def check(folder, faults):
     yield from check_fields(folder)
     yield from check_events(folder, faults, summary)
     yield from check_openings(folder, faults, summary)
+    yield from check_energies(folder)
+    yield from check_columns(folder)
     leftovers = [path.name for path in folder.iterdir() if path.suffix == ".tmp"]
     if leftovers:
         yield f"left over: {leftovers}"

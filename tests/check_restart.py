@@ -104,14 +104,16 @@ class Runs:
     """Runs of the program in one folder."""
 
     def __init__(self, arguments, folder, n_processes):
-        self.launch = [arguments.program, "scene.prm"]
-        if n_processes > 1:
-            self.launch = [arguments.mpiexec, "-np", str(n_processes)] + self.launch
+        self.arguments = arguments
+        self.n_processes = n_processes
         self.folder = folder
         self.has_gone_on = False
 
     def start(self, settings, more=()):
-        command = list(self.launch)
+        command = [self.arguments.program, "scene.prm"]
+        if self.n_processes > 1:
+            launcher = [self.arguments.mpiexec, "-np", str(self.n_processes)]
+            command = launcher + command
         for setting in settings:
             command += ["--set", setting]
         return subprocess.Popen(
@@ -270,6 +272,42 @@ def check_damage(runs, settings):
         yield "a restart without a checkpoint has touched the results"
 
 
+def check_other_numbers(runs, settings):
+    """Yield what is different where other numbers of processes go on."""
+    runs.run(settings + NONE + ["Output/Output directory=reference"], ["--overwrite"])
+    reference = table(runs.folder / "reference/time_series.csv")
+    settings = settings + OFTEN + ["Output/Output directory=killed"]
+    shutil.rmtree(runs.folder / "killed", ignore_errors=True)
+    process = runs.start(settings)
+    for n_processes in (3, 1):
+        for _ in range(20):
+            wait_for_checkpoint(process, runs.folder / "killed")
+        kill(process)
+        runs.n_processes = n_processes
+        process = goes_on(runs, settings)
+    output = process.communicate()[0]
+    if process.returncode != 0 or not runs.has_gone_on:
+        yield f"on other numbers of processes: {output[-300:]}"
+        return
+    other = table(runs.folder / "killed/time_series.csv")
+    if len(other) != len(reference):
+        yield f"{len(other)} records on other numbers of processes, not {len(reference)}"
+        return
+    # Sums in another order, and what solvers leave at their tolerance; counts of
+    # iterations may change.
+    for name in reference.dtype.names:
+        if "iterations" in name or "cycles" in name or "error" in name:
+            continue
+        scale = numpy.max(numpy.abs(reference[name]))
+        difference = numpy.max(numpy.abs(reference[name] - other[name]))
+        if difference > 1e-5 * scale:
+            yield f"{name} differs by {difference:.1e} of {scale:.1e}"
+
+
+def table(path):
+    return numpy.genfromtxt(path, delimiter=",", names=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
@@ -299,6 +337,8 @@ def main():
             problems = list(check_kills(runs, settings, n_kills, generator))
             if name == "sliding":
                 problems += check_damage(runs, settings)
+            if n_processes == 2:
+                problems += check_other_numbers(runs, settings)
         for problem in problems:
             print(f"{name}, seed {seed}: {problem}", flush=True)
         n_problems += len(problems)

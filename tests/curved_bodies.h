@@ -4,9 +4,9 @@
 #ifndef stickslip_tests_curved_bodies_h
 #define stickslip_tests_curved_bodies_h
 
-#include <stickslip/mesh/coarse_body.h>
-#include <stickslip/mesh/fault_shape.h>
-#include <stickslip/mesh/smooth_shape.h>
+#include <stickslip/geometry/coarse_body.h>
+#include <stickslip/geometry/fault_shape.h>
+#include <stickslip/geometry/smooth_shape.h>
 
 #include <cmath>
 #include <functional>

@@ -179,10 +179,11 @@ TEST(BodyFields, ValuesOutOfRangeAreFoundAtPointsOfTheMesh)
                 "if(abs(x - 0.4) < 0.1, -1, 1e7)"});
   const std::string message =
     message_of([&]() { Simulation<2> simulation(scene, MPI_COMM_WORLD); });
-  expect_one_sentence_with(message,
-                           {"'Bodies/upper/Material/Young modulus' = 'if(",
-                            "is -1 at (0.",
-                            ") m, but must be a number > 0 everywhere."});
+  expect_one_sentence_with(
+    message,
+    {"'Bodies/upper/Material/Young modulus' = 'if(",
+     "is -1 at (0.",
+     ") m, but must be a number > 0 (in Pa) everywhere."});
 }
 
 
@@ -202,7 +203,9 @@ TEST(BodyFields, MistakesAreFoundBeforeTheMeshes)
     expect_one_sentence_with(message, {"'" + path + "' = '" + value + "'"});
     expect_one_sentence_with(message, parts);
   };
-  expect_error("Young modulus", "-1e7", {"must be a number > 0, an expr"});
+  expect_error("Young modulus",
+               "-1e7",
+               {"must be a number > 0 (in Pa), an expr"});
   expect_error("Young modulus",
                "1e7*x",
                {"is -1e+07 at (-1, 0) m, but must be a number > 0"});

@@ -130,13 +130,14 @@ TEST(FieldsOfAScene, MistakesAreFoundBeforeTheRun)
                {"'Faults/main/a' = '0.005*(x + 1)'",
                 "is 0 at (-1, 0) m",
                 "a number > 0 everywhere."});
-  expect_error("Faults/main/Characteristic slip=-1e-5",
-               {"'Faults/main/Characteristic slip' = '-1e-5' (--set)",
-                "must be a number > 0, an expression in x, y (z), or table "
-                "FILE."});
+  expect_error(
+    "Faults/main/Characteristic slip=-1e-5",
+    {"'Faults/main/Characteristic slip' = '-1e-5' (--set)",
+     "must be a number > 0 (in m), an expression in x, y (z), or table "
+     "FILE."});
   expect_error("Faults/main/b=table " + folder.file("bad.txt"),
                {"'Faults/main/b' = 'table ",
-                "bad.txt': is -1 at (2.5, 0) m",
+                "bad.txt' (--set): is -1 at (2.5, 0) m",
                 "a number >= 0"});
   expect_error("Faults/main/b=table " + folder.file("broken.txt"),
                {"'Faults/main/b' = 'table ",

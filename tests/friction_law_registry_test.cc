@@ -182,6 +182,10 @@ TEST(LawRegistry, HasTheParametersOfAllKindsOnce)
                                       "Regularisation",
                                       "State law",
                                       "Initial state",
+                                      "Initial slip rate along x",
+                                      "Initial slip rate along y",
+                                      "Initial shear stress along x",
+                                      "Initial shear stress along y",
                                       "Slip rate along x",
                                       "Slip rate along y",
                                       "Slip rate ramp length"}));

@@ -350,7 +350,8 @@ TEST(BackgroundStress, ErrorsAreInOneSentence)
   expect_one_sentence_with(message("1, -2, table nowhere.txt"),
                            {entry, "nowhere.txt"});
   expect_one_sentence_with(message("1, -2, x +"),
-                           {entry + " (sxy)' = 'x +': cannot be used"});
+                           {entry + " (sxy)' = '1, -2, x +'",
+                            "cannot be used"});
   expect_one_sentence_with(message("0, 1e3 * x, 0"),
                            {entry, "pulls the fault apart at ("});
 }

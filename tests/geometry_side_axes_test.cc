@@ -155,33 +155,185 @@ TEST(SideAxes, ErrorsAreInOneSentence)
 
 
 
-TEST(SideAxes, OfACurvedSideAreRefused)
+namespace
 {
-  const TemporaryFolder folder;
-  std::filesystem::copy(STICKSLIP_SOURCE_DIR "/tests/meshes/ring.msh",
-                        folder.file("ring.msh"));
-  const std::string text = R"(
+  /** A ring of radii 1 and 2 m around a disc, from which friction keeps it from
+   * slipping, after a short time without inertia. */
+  std::string
+  ring_scene(const std::string &conditions)
+  {
+    return R"(
 subsection Bodies
   set Names     = disc, ring
   set Mesh file = ring.msh
+  subsection disc
+    set Uniform refinements = 1
+    subsection Material
+      set Young modulus = 1e9
+      set Poisson ratio = 0.25
+    end
+  end
+  subsection ring
+    set Uniform refinements = 1
+    subsection Material
+      set Young modulus = 1e9
+      set Poisson ratio = 0.25
+    end
+  end
 end
 subsection Faults
   set Names = fault
+  subsection fault
+    set Shape                  = smooth
+    set Normal stress          = function
+    set Normal stress function = 1e8
+    set Initial state          = 1e12
+  end
 end
+subsection Gravity
+  set Acceleration = 0
+end
+subsection Time
+  set Inertia           = quasi-static
+  set Step size control = constant
+  set Largest step      = 1e-3
+  set End time          = 1e-3
+end
+subsection Output
+  set Event start slip rate = 1
+end
+)" + conditions;
+  }
+
+
+
+  /** Displacements of all nodes after a step, with their positions. */
+  std::vector<std::pair<Point<2>, Tensor<1, 2>>>
+  displacements_of_ring(const std::string &conditions)
+  {
+    const TemporaryFolder folder;
+    std::filesystem::copy(STICKSLIP_SOURCE_DIR "/tests/meshes/ring.msh",
+                          folder.file("ring.msh"));
+    Simulation<2> simulation(
+      SceneReader(folder.write("ring.prm", ring_scene(conditions))).read<2>(),
+      MPI_COMM_WORLD);
+    simulation.set_up();
+    while (!simulation.is_finished())
+      simulation.advance();
+    std::vector<std::pair<Point<2>, Tensor<1, 2>>> result;
+    const MeshLevel<2> &level = simulation.spatial_problem().meshes().finest();
+    for (unsigned int b = 0; b < level.bodies.size(); ++b)
+      {
+        const std::vector<Point<2>> points = level.bodies[b]->node_positions();
+        for (unsigned int i = 0; i < points.size(); ++i)
+          {
+            Tensor<1, 2> u;
+            for (unsigned int d = 0; d < 2; ++d)
+              u[d] = simulation.state().displacement.local_element(
+                level.node(b, i) * 2 + d);
+            result.emplace_back(points[i], u);
+          }
+      }
+    return result;
+  }
+} // namespace
+
+
+
+// A disc that is turned and pressed at its rim: along its axes as in space.
+TEST(SideAxes, OfARingAreRadialAndAlongIt)
+{
+  const auto along_side = displacements_of_ring(R"(
 subsection Boundary conditions
   set Sides = ring outside
   subsection ring outside
     set Axes                 = side
     set normal condition     = velocity
-    set normal value         = -1e-6
-    set tangential condition = fixed
+    set normal value         = -1e-2
+    set tangential condition = velocity
+    set tangential value     = 2e-2
+    set Ramp length          = 0
   end
+end
+)"),
+             in_space   = displacements_of_ring(R"(
+subsection Boundary conditions
+  set Sides = ring outside
+  subsection ring outside
+    set x condition = velocity
+    set x value     = (-1e-2 * x + 2e-2 * y) / sqrt(x^2 + y^2)
+    set y condition = velocity
+    set y value     = (-1e-2 * y - 2e-2 * x) / sqrt(x^2 + y^2)
+    set Ramp length = 0
+  end
+end
+)");
+  ASSERT_EQ(along_side.size(), in_space.size());
+  double largest = 0., difference = 0.;
+  for (unsigned int i = 0; i < in_space.size(); ++i)
+    {
+      largest    = std::max(largest, in_space[i].second.norm());
+      difference = std::max(difference,
+                            (along_side[i].second - in_space[i].second).norm());
+    }
+  std::cout << "difference " << difference / largest << '\n';
+  EXPECT_GT(largest, 1e-5);
+  EXPECT_LT(difference, 1e-9 * largest);
+}
+
+
+
+// A uniform state of pressure, which linear elements and polygons have exactly:
+// u = -(1 + nu) (1 - 2 nu) / E p x.
+TEST(SideAxes, OfARingUnderPressure)
+{
+  const double factor = -1.25 * 0.5 / 1e9 * 1e6;
+  for (const auto &[x, u] : displacements_of_ring(R"(
+subsection Boundary conditions
+  set Sides = ring outside
+  subsection ring outside
+    set Axes                 = side
+    set normal condition     = traction
+    set normal value         = -1e6
+    set tangential condition = fixed
+    set Ramp length          = 0
+  end
+end
+)"))
+    EXPECT_LT((u - factor * x).norm(), 1e-9 * std::abs(2. * factor));
+}
+
+
+
+TEST(SideAxes, OfASideWithCornersAreRefused)
+{
+  const TemporaryFolder folder;
+  std::filesystem::copy(STICKSLIP_SOURCE_DIR "/tests/meshes/cross.msh",
+                        folder.file("cross.msh"));
+  const std::string text = R"(
+subsection Bodies
+  set Names     = south, north
+  set Mesh file = cross.msh
+end
+subsection Faults
+  set Names = level, upright
+end
+subsection Boundary conditions
+  set Sides = south outside
+  subsection south outside
+    set Axes                 = side
+    set normal condition     = fixed
+    set tangential condition = free
+  end
+end
+subsection Output
+  set Event start slip rate = 1
 end
 )";
   expect_one_sentence_with(
     message_of([&]() {
-      Simulation<2>(SceneReader(folder.write("ring.prm", text)).read<2>(),
+      Simulation<2>(SceneReader(folder.write("cross.prm", text)).read<2>(),
                     MPI_COMM_WORLD);
     }),
-    {"'Boundary conditions/ring outside/Axes' = 'side'", "is not plane"});
+    {"'Boundary conditions/south outside/Axes' = 'side'", "has a corner at ("});
 }

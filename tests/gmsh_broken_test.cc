@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/mesh/fault_cutting.h>
+#include <stickslip/geometry/fault_cutting.h>
 
 #include <functional>
 #include <utility>
@@ -136,6 +136,11 @@ namespace
     {"missing file",
      []() { GmshFile("/nowhere/test.msh"); },
      {"'/nowhere/test.msh'", "cannot be read"}},
+    {"folder", []() { GmshFile("/"); }, {"'/'", "is a folder"}},
+    {"compressed", read("\x1f\x8b\b"), {"'test.msh'", "not one of Gmsh"}},
+    {"node of a negative number",
+     read_replaced("1 0 0 0", "-1 0 0 0"),
+     {"'-1'", "$Nodes", "number"}},
     {"empty", read(""), {"'test.msh'", "not one of Gmsh"}},
     {"other format", read("solid cube\n"), {"'test.msh'", "not one of Gmsh"}},
     {"old version", read_replaced("2.2 0 8", "2.0 0 8"), {"version 2.0"}},
@@ -264,6 +269,39 @@ namespace
        mesh.elements.push_back({1, 4, {1, 2}});
      }),
      {"'bottom'", "'left'", "(0.5, 0)"}},
+    {"face in two faults",
+     cut_changed(
+       [](MeshText &mesh) {
+         mesh.groups.push_back({1, 6, "second"});
+         mesh.elements.push_back({1, 6, {2, 5}});
+       },
+       {{"main", "fault", {}}, {"other", "second", {}}}),
+     {"'fault'", "'second'", "(1, 0.5)"}},
+    {"fault at a boundary",
+     cut_changed(no_change, {{"main", "left", {}}, {"other", "fault", {}}}),
+     {"'main'", "'left'", "(0, 0.5)"}},
+    {"cell that is there twice",
+     cut_changed([](MeshText &mesh) {
+       mesh.elements.push_back({3, 1, {1, 2, 5, 4}});
+     }),
+     {"'west'", "more than two cells"}},
+    {"large cell beside small ones",
+     cut_changed([](MeshText &mesh) {
+       mesh.nodes.push_back({{2., 0.5, 0.}});
+       mesh.nodes.push_back({{3., 0.5, 0.}});
+       mesh.nodes.push_back({{3., 0., 0.}});
+       mesh.nodes.push_back({{3., 1., 0.}});
+       mesh.elements.push_back({3, 2, {3, 12, 11, 10}});
+       mesh.elements.push_back({3, 2, {10, 11, 13, 6}});
+     }),
+     {"'east'", "in no group"}},
+    {"the same cells in two files",
+     []() {
+       const GmshFile file = two_columns().file();
+       cut_at_faults(GroupedCells<2>({file, file}, {"west", "east"}),
+                     one_fault);
+     },
+     {"'west'"}},
     {"boundary without group",
      cut_changed([](MeshText &mesh) { mesh.elements.pop_back(); }),
      {"'east'", "(2, 1.5)", "in no group", "one of 1"}},

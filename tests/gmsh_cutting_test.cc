@@ -4,7 +4,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <gtest/gtest.h>
-#include <stickslip/mesh/fault_cutting.h>
+#include <stickslip/geometry/fault_cutting.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/mesh/gmsh_file.h>
+#include <stickslip/geometry/gmsh_file.h>
 
 #include <cstring>
 #include <limits>

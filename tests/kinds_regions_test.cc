@@ -146,7 +146,9 @@ TEST(Regions, ThatCannotBeUsedAreSaidInOneSentence)
     message({"Faults/main/Regions/creeping/Slip rate along y=1"}),
     {"there is no such entry"});
   expect_one_sentence_with(message({"Faults/main/Regions/other/a=1"}),
-                           {"there is no such entry", "creeping", "locked"});
+                           {"'other' is not in 'Faults/main/Regions/Names'",
+                            "creeping",
+                            "locked"});
   expect_one_sentence_with(message({"Faults/main/Regions/Names=a, a"}),
                            {"listed twice"});
   expect_one_sentence_with(message({"Faults/main/Friction=glue"}),
@@ -169,6 +171,7 @@ TEST(Regions, ThatCannotBeUsedAreSaidInOneSentence)
             }),
             "no error");
   // A region that is no more.
-  expect_one_sentence_with(message({"Faults/main/Regions/Names="}),
-                           {"there is no such entry"});
+  expect_one_sentence_with(
+    message({"Faults/main/Regions/Names="}),
+    {"'creeping' is not in 'Faults/main/Regions/Names'"});
 }

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/geometry/spline_curve.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
-#include <stickslip/mesh/spline_curve.h>
 
 #include "curved_bodies.h"
 #include "error_message.h"

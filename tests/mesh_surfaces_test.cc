@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/geometry/smooth_surface.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
-#include <stickslip/mesh/smooth_surface.h>
 
 #include "curved_bodies.h"
 

@@ -4,7 +4,7 @@
 #ifndef stickslip_tests_mesh_text_h
 #define stickslip_tests_mesh_text_h
 
-#include <stickslip/mesh/gmsh_file.h>
+#include <stickslip/geometry/gmsh_file.h>
 
 #include <array>
 #include <sstream>

@@ -4,7 +4,7 @@
 #ifndef stickslip_tests_mortar_curves_h
 #define stickslip_tests_mortar_curves_h
 
-#include <stickslip/mortar/nodal_normals.h>
+#include <stickslip/mesh/nodal_normals.h>
 
 #include <functional>
 

@@ -175,7 +175,7 @@ namespace StickSlip::Tests
       const FaultFriction<dim> &faults = faults_of(friction);
       unsigned int              n      = 0;
       for (unsigned int k = 0; k < faults.nodes().size(); ++k)
-        n += !faults.is_in_contact(k, block<dim>(w, faults.nodes()[k]));
+        n += !faults.is_at_bound(k, block<dim>(w, faults.nodes()[k]), dim - 1);
       return Utilities::MPI::sum(n, w.get_mpi_communicator());
     }
 

@@ -183,11 +183,12 @@ TEST(OpeningMeshGap, IsRefusedWhereItMakesNoSense)
             }),
             "The side 'lower lower_side' of the fault 'contact' does not touch "
             "the other side.");
-  EXPECT_EQ(message_of([]() {
-              scene_apart({0.01, 0.}, 8, {"Faults/contact/Contact=bilateral"});
-            }),
-            "'Faults/contact/Initial gap from mesh' = 'true': needs 'Contact' "
-            "= 'unilateral', since sides that always touch cannot be apart.");
+  EXPECT_EQ(
+    message_of([]() {
+      scene_apart({0.01, 0.}, 8, {"Faults/contact/Contact=bilateral"});
+    }),
+    "'Faults/contact/Initial gap from mesh' = 'true' (--set): needs 'Contact' "
+    "= 'unilateral', since sides that always touch cannot be apart.");
   EXPECT_NE(message_of([]() {
               scene_apart({0.05, 0.},
                           8,

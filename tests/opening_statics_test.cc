@@ -92,15 +92,17 @@ end
 
 
   /** Entries for the body with its top moved at that velocity, m/s, its left
-   * side the plane of symmetry, and cells of 1/16 of 0.1 m there. */
+   * side the plane of symmetry, and cells of 1/16 of 0.1 m everywhere: cells
+   * that become larger at once from the contact on make it too stiff. */
   std::vector<std::string>
   half_body(const double velocity, const std::vector<std::string> &others)
   {
     const std::string        side = "Boundary conditions/body ";
     std::vector<std::string> all  = {
-       "Bodies/body/Uniform refinements=" + std::string("4"),
-       "Bodies/body/Refinement passes=" + std::string("2"),
-       "Bodies/body/Refine where=0.3 - x",
+       "Bodies/body/Upper lateral corner=" + std::string("1"),
+       "Bodies/body/Thickness=" + std::string("1"),
+       "Bodies/body/Uniform refinements=" + std::string("5"),
+       "Bodies/body/Refinement passes=" + std::string("0"),
        "Boundary conditions/Sides=body left, body top",
        side + "left/x condition=fixed",
        side + "top/x condition=fixed",
@@ -131,10 +133,10 @@ end
 
 TEST(OpeningStatics, ACylinderIsPressedOnAPlane)
 {
-  // Half width 0.1 m, a twentieth of the body, and 1/16 of it a cell.
+  // Half width 0.1 m, a tenth of the body, and 1/16 of it a cell.
   const double    radius = 1.;
   OpeningScene<2> scene(pressed_body,
-                        half_body(-0.0055,
+                        half_body(-0.0045,
                                   {"Faults/contact/Initial gap=0.5 * x^2"}));
   advance_by(scene, 4, 1.);
   const Profile   profile(scene);
@@ -154,8 +156,8 @@ TEST(OpeningStatics, ACylinderIsPressedOnAPlane)
     }
   const double width = 2. * std::sqrt(2. * second / profile.load);
   EXPECT_NEAR(a, 0.1, 0.02);
-  EXPECT_NEAR(width, a, 0.01 * a);
-  EXPECT_NEAR(largest, hertz.pressure(0.), 0.01 * hertz.pressure(0.));
+  EXPECT_NEAR(width, a, 0.005 * a);
+  EXPECT_NEAR(largest, hertz.pressure(0.), 0.003 * hertz.pressure(0.));
   EXPECT_LE(error, 0.02 * hertz.pressure(0.));
 }
 
@@ -179,7 +181,8 @@ TEST(OpeningStatics, AFlatPunch)
                             flat_punch_pressure(profile.load, a, profile.x[i]) -
                           1.));
   EXPECT_GT(profile.load, 0.);
-  EXPECT_LE(error, 0.04);
+  // Where between two nodes the edge is felt is unknown by a fifth of a cell.
+  EXPECT_LE(error, 0.015);
 }
 
 

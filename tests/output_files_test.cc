@@ -237,11 +237,41 @@ TEST(Progress, WritesPlainLinesToAFileAndEstimatesTheTimeLeft)
   progress.update(10, 0.5, 1e-9);
   // A quarter took 100 s, so three quarters take 300 s.
   EXPECT_NE(out.str().find(" 25.0 %"), std::string::npos) << out.str();
-  EXPECT_NE(out.str().find("time left 5:00\n"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("time left at least 5:00\n"), std::string::npos)
+    << out.str();
   EXPECT_EQ(out.str().find('\r'), std::string::npos);
   const std::size_t length = out.str().size();
   progress.finish();
   EXPECT_EQ(out.str().size(), length);
+}
+
+
+
+TEST(Progress, EstimatesTheTimeLeftFromEvents)
+{
+  std::ostringstream out;
+  double             now = 0;
+  Progress           progress(out, false, 100, [&now]() { return now; });
+  progress.update(1, 1, 1e-9, 0);
+  now = 60;
+  progress.update(10, 1, 1e-9, 1);
+  now = 120;
+  progress.update(20, 1, 1e-9, 2);
+  now             = 125;
+  const auto last = [&out]() {
+    const std::size_t place = out.str().rfind("time left");
+    return place == std::string::npos ? "" : out.str().substr(place);
+  };
+  // Six seconds a second up to the last event: 480 s for the rest.
+  EXPECT_EQ(last(), "time left 8:00\n");
+  now = 150;
+  progress.update(29, 1, 1e-9, 2);
+  // Of which 30 s have passed, in which most of a cycle went by.
+  EXPECT_EQ(last(), "time left 7:30\n");
+  // A cycle that takes far longer than those before sets the pace.
+  now = 1120;
+  progress.update(30, 1, 1e-9, 2);
+  EXPECT_EQ(last(), "time left 1:56:40\n");
 }
 
 

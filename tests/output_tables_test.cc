@@ -84,6 +84,7 @@ namespace
     shape.surface.faces  = {{{0, 1}}, {{1, 2}}};
     shape.surface.normal = Tensor<1, 2>({0, -1});
     shape.axes.assign(3, Tensor<2, 2>(unit_symmetric_tensor<2>()));
+    shape.rigidity.assign(3, 3.);
     return shape;
   }
 
@@ -242,9 +243,13 @@ TEST(EventCatalogue, InterpolatesInTheLogarithmOfTheSlipRate)
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0],
             "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
-            "mean_slip,nucleation_x");
+            "mean_slip,nucleation_x,moment,stress_drop,ruptured_area");
   const std::vector<std::string> row = split(lines[1], ',');
-  ASSERT_EQ(row.size(), 8u);
+  ASSERT_EQ(row.size(), 11u);
+  // Four metres that slip by five, from start to end, at a rigidity of 3 Pa.
+  EXPECT_NEAR(std::stod(row[8]), 60., 1e-10);
+  EXPECT_EQ(std::stod(row[9]), 0.);
+  EXPECT_EQ(std::stod(row[10]), 4.);
   EXPECT_EQ(row[0], "main");
   EXPECT_EQ(std::stod(row[1]), event.start);
   EXPECT_EQ(std::stod(row[3]), event.end);

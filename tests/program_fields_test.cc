@@ -20,7 +20,7 @@ if (folder / "faults.h5").exists():
     print(*sorted(h5py.File(folder / "faults.h5")["fault"]))
 for path in sorted(folder.glob("*.vtu"))[-1:]:
     names = re.findall('<DataArray[^>]*Name="([^"]+)"', path.read_text())
-    print(*[n for n in names if n not in ("TIME", "connectivity", "offsets", "types")])
+    print(*[n for n in names if n not in ("TIME", "Points", "connectivity", "offsets", "types")])
 )py";
 
 
@@ -76,8 +76,8 @@ TEST(ProgramFields, BelongTogether)
   EXPECT_EQ(names_in(folder, "output/scene"),
             "arc_length axes contact_pressure contact_weight coordinates faces "
             "normal_stress shear_traction slip slip_rate state time weight\n"
-            "displacement velocity acceleration stress_xx stress_xy stress_yy "
-            "strain_xx strain_xy strain_yy body\n");
+            "body_names displacement velocity acceleration stress_xx stress_xy "
+            "stress_yy stress_zz strain_xx strain_xy strain_yy body\n");
 }
 
 
@@ -92,7 +92,8 @@ TEST(ProgramFields, OnlyThoseAskedForAreWritten)
                        "--set 'Output/Volume fields=velocity' "
                        "--set 'Output/Time series steps=4'");
   const std::string names =
-    "arc_length axes coordinates faces slip_rate time weight\nvelocity\n";
+    "arc_length axes coordinates faces slip_rate time weight\n"
+    "body_names velocity\n";
   EXPECT_EQ(names_in(folder, "output/scene"), names);
 
   // The choice is kept with the parameters.
@@ -127,6 +128,7 @@ TEST(ProgramFields, FilesNotAskedForAreNotThere)
                        "--set 'Output/Write volume=false' "
                        "--set 'Output/Time series steps=0'");
   const Outcome files = run_command(folder, "cd output/scene && ls");
-  EXPECT_EQ(files.output,
-            "checkpoints\nevents.csv\nparameters.prm\nsummary.txt\n");
+  EXPECT_EQ(
+    files.output,
+    "checkpoints\ncolumns.csv\nevents.csv\nparameters.prm\nsummary.txt\n");
 }

@@ -94,7 +94,7 @@ TEST(ProgramParallel, ReportsBadInputOnce)
   EXPECT_EQ(outcome.exit_status, 1);
   EXPECT_EQ(outcome.errors,
             "stickslip: 'Bodies/upper/Thickness' = '-1' (--set): must be a "
-            "number > 0.\n");
+            "number > 0 (in m).\n");
   EXPECT_FALSE(std::filesystem::exists(folder.file("output")));
 }
 
@@ -116,7 +116,7 @@ TEST(ProgramParallel, WhatIsForOneProcessSaysSo)
       EXPECT_EQ(outcome.exit_status, 1);
       EXPECT_EQ(outcome.errors,
                 "stickslip: '" + entry.first + "' = '" + entry.second +
-                  "': runs on one process only, but there are 2.\n");
+                  "' (--set): runs on one process only, but there are 2.\n");
       EXPECT_FALSE(std::filesystem::exists(folder.file("output")));
     }
 }

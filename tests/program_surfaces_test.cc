@@ -119,12 +119,57 @@ end
 
 
 
+  // One of the bricks is finer than the other, with hanging nodes.
+  const std::string bricks = all_fields + R"(
+set Dimension = 3
+subsection Bodies
+  set Names = lower, upper
+  subsection lower
+    set Lower lateral corner = 0, 0
+    set Upper lateral corner = 2, 1
+    set Thickness            = 0.5
+    set Coarse cells         = 2, 1, 1
+  end
+  subsection upper
+    set Lower lateral corner = 0, 0
+    set Upper lateral corner = 2, 1
+    set Thickness            = 1
+    set Coarse cells         = 2, 1, 1
+    set Refinement passes    = 1
+  end
+end
+subsection Faults
+  set Names = fault
+  subsection fault
+    set Normal stress          = function
+    set Normal stress function = 100
+  end
+end
+subsection Boundary conditions
+  set Sides = lower bottom, upper top
+  subsection lower bottom
+    set x condition = fixed
+    set y condition = fixed
+    set z condition = fixed
+  end
+  subsection upper top
+    set x condition = velocity
+    set x value     = 1e-2
+    set y condition = velocity
+    set y value     = 3e-3
+  end
+end
+)";
+
+
+
   /** Run a scene, on several processes if a launcher is given; what is wrong
    * with the files of its faults. */
   std::string
   problems_of(const std::string &mesh,
               const std::string &scene,
               const std::string &end_time,
+              const std::string &options,
               const std::string &faults,
               const std::string &launcher = "")
   {
@@ -136,11 +181,10 @@ end
                     "' . && " + program(launcher) +
                     " scene.prm --set 'Time/End time=" + end_time + "'");
     EXPECT_EQ(run.exit_status, 0) << run.errors;
-    const Outcome check =
-      run_command(folder,
-                  "/usr/bin/python3 '" STICKSLIP_SOURCE_DIR
-                  "/tests/check_fault_surfaces.py' output/scene " +
-                    faults);
+    const Outcome check = run_command(folder,
+                                      "/usr/bin/python3 '" STICKSLIP_SOURCE_DIR
+                                      "/tests/check_fault_surfaces.py' " +
+                                        options + " output/scene " + faults);
     EXPECT_EQ(check.errors, "");
     return check.output;
   }
@@ -157,19 +201,29 @@ end
 
 TEST(ProgramSurfaces, OfABentFaultAndItsBranch)
 {
-  EXPECT_EQ(problems_of("t_junction.msh", junction, "1", "main branch"), "");
+  EXPECT_EQ(
+    problems_of("t_junction.msh", junction, "1", "--box", "main branch"), "");
 }
 
 
 
 TEST(ProgramSurfaces, OfAClosedFault)
 {
-  EXPECT_EQ(problems_of("ring.msh", ring, "1", "fault"), "");
+  EXPECT_EQ(problems_of("ring.msh", ring, "1", "", "fault"), "");
 }
 
 
 
 TEST(ProgramSurfaces, OfAPatchInSpaceOnTwoProcesses)
 {
-  EXPECT_EQ(problems_of("patch.msh", patch, "0.5", "patch", two_processes), "");
+  EXPECT_EQ(
+    problems_of("patch.msh", patch, "0.5", "--box", "patch", two_processes),
+    "");
+}
+
+
+
+TEST(ProgramSurfaces, OfALevelFaultBetweenBricks)
+{
+  EXPECT_EQ(problems_of("patch.msh", bricks, "0.1", "--box", "fault"), "");
 }

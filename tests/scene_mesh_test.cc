@@ -273,7 +273,8 @@ TEST(MeshScene, MistakesAreAnsweredWithOneSentence)
   expect_one_sentence_with(message_of_scene(changed), {"others.msh", "read"});
   changed = scene;
   changed.replace(changed.find("Names = lower, upper"), 20, "Names = lower");
-  expect_one_sentence_with(message_of_scene(changed), {"'upper'", "bodies"});
+  expect_one_sentence_with(message_of_scene(changed),
+                           {"'upper' is not in 'Bodies/Names'"});
   expect_one_sentence_with(message_of_scene(
                              with(scene, "lower", "Thickness = 2")),
                            {"Bodies/lower/Thickness", "no effect"});

@@ -6,8 +6,8 @@
 
 #include <stickslip/algebra/galerkin_product.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/mesh/nodal_normals.h>
 #include <stickslip/mortar/jump_basis.h>
-#include <stickslip/mortar/nodal_normals.h>
 
 namespace StickSlip::Tests
 {

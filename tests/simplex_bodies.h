@@ -6,7 +6,7 @@
 
 #include <deal.II/grid/grid_generator.h>
 
-#include <stickslip/mesh/coarse_body.h>
+#include <stickslip/geometry/coarse_body.h>
 
 #include <memory>
 #include <vector>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/geometry/fault_cutting.h>
 #include <stickslip/mechanics/elastic_assembly.h>
-#include <stickslip/mesh/fault_cutting.h>
 
 #include <cmath>
 #include <map>

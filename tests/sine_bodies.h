@@ -7,8 +7,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_generator.h>
 
-#include <stickslip/mesh/block.h>
-#include <stickslip/mesh/coarse_body.h>
+#include <stickslip/geometry/block.h>
+#include <stickslip/geometry/coarse_body.h>
 #include <stickslip/mesh/coarser_mesh.h>
 
 #include <cmath>

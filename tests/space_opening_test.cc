@@ -67,7 +67,6 @@ namespace
     for (unsigned int i = 0; i < w.locally_owned_size(); ++i)
       w.local_element(i) = 5.;
     scene.problem.set_known_jumps(10., w);
-    EXPECT_TRUE(scene.problem.has_openings());
 
     unsigned int n_open = 0, n_checked = 0;
     for (unsigned int f = 0; f < 2; ++f)

@@ -20,6 +20,7 @@ from common import page, programs
 
 from . import (
     comparison, crossings, figures, iterations, kernels, measuring, newton, runs,
+    tetrahedra,
 )
 
 PAGE = programs.PROJECT / "doc/performance.md"
@@ -33,6 +34,7 @@ SECTIONS = {
         iterations.Curved,
         iterations.Bodies,
         crossings,
+        tetrahedra,
         kernels.Costs,
         kernels.Kernels,
         newton,

@@ -85,9 +85,8 @@ namespace
           for (FaultParameters &fault : scene.faults)
             if (!state.second.empty())
               fault["Initial state"].set(state.second);
-          unsigned int           n_in_tension = 0;
-          const SystemState<dim> initial      = make_initial_state(
-            scene, problem.jump_basis(), equilibrium, n_in_tension);
+          const SystemState<dim> initial =
+            make_initial_state(scene, problem.jump_basis(), equilibrium).system;
           friction = make_fault_friction(faults, laws, initial.normal_stress);
           friction->set_state(faults.at_owned_contact(initial.alpha));
           for (const double size : task.taus)

@@ -13,18 +13,12 @@ import numpy as np
 from matplotlib.colors import LogNorm
 from PIL import Image
 
-from tools.plot_run import edges
+from pictures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION
+from pictures.style import WIDTH, YELLOW, edges, title
 
 from .programs import PROJECT
 
-# Okabe and Ito's colours, which the colour-blind can tell apart.
-BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE, YELLOW, BLACK, GREY = (
-    "#0072b2", "#e69f00", "#009e73", "#d55e00",
-    "#56b4e9", "#cc79a7", "#b8a800", "#000000", "#777777",
-)
 IMAGES = PROJECT / "doc/images"
-# Inches: the width of a page.
-WIDTH = 9.0
 
 
 def new_figure(rows, columns=1, height=8.0, ratios=None, **options):
@@ -50,10 +44,6 @@ def save(figure, name):
         256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE
     ).save(path, optimize=True)
     return path
-
-
-def title(axes, text):
-    axes.set_title(text, loc="left")
 
 
 def draw_map(figure, axes, history, window, limits):

@@ -10,7 +10,7 @@ import pathlib
 import shutil
 import time
 
-from tools import plot_run
+from pictures.run_files import read_table
 
 from . import programs, runs
 
@@ -57,7 +57,7 @@ class Run:
     def series(self):
         """Columns of time_series.csv by name."""
         if not hasattr(self, "_series"):
-            self._series = plot_run.read_table(self.files / "time_series.csv")
+            self._series = read_table(self.files / "time_series.csv")
         return self._series
 
     def end(self):
@@ -66,7 +66,7 @@ class Run:
 
     def events(self, fault):
         """Columns of events.csv for one fault, in the order of their starts."""
-        table = plot_run.read_table(self.files / "events.csv")
+        table = read_table(self.files / "events.csv")
         own = table["fault"] == fault
         return {name: values[own] for name, values in table.items()}
 

@@ -87,6 +87,7 @@ namespace StickSlip
     constexpr unsigned int small_size = 20000;
 
     factors.reset();
+    set_factor(1.);
     bulk.set_matrix(A, fixed);
     if (A.n_rows() * n_components > small_size)
       return;
@@ -101,10 +102,30 @@ namespace StickSlip
 
 
   template <int n_components>
+  void
+  CondensedOperator<n_components>::set_factor(const double new_factor)
+  {
+    if (new_factor == factor)
+      return;
+    factor = new_factor;
+    scaled_schur_complement.clear();
+    if (factor == 1.)
+      return;
+    scaled_schur_complement = bulk.schur_complement();
+    for (double &entry : scaled_schur_complement)
+      entry *= factor;
+  }
+
+
+
+  template <int n_components>
   const double *
   CondensedOperator<n_components>::row(const unsigned int i) const
   {
-    return bulk.schur_complement().data() + std::size_t(i) * entries.size();
+    const std::vector<double> &S = scaled_schur_complement.empty() ?
+                                     bulk.schur_complement() :
+                                     scaled_schur_complement;
+    return S.data() + std::size_t(i) * entries.size();
   }
 
 
@@ -136,6 +157,8 @@ namespace StickSlip
       small_bulk->solve(x, b);
     else
       bulk.solve(x, b);
+    if (factor != 1.)
+      x /= factor;
   }
 
 
@@ -251,6 +274,7 @@ namespace StickSlip
       }
     factorised_hessians = H;
     factorised_active   = active;
+    factorised_factor   = factor;
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/singular_matrix.h>
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/tnnmg/functional_sums.h>
@@ -90,6 +91,25 @@ namespace StickSlip
   void
   CondensedSolver<n_components>::find_operator()
   {
+    // A single term only scales, and is condensed once.
+    if (operators.terms().size() == 1)
+      {
+        if (condensed_operators.empty())
+          condensed_operators.emplace_front(entries);
+        if (Operator &only = condensed_operators.front(); only.version == 0)
+          {
+            only.condensed.set_matrix(operators.terms()[0],
+                                      operators.unknowns().fixed);
+            only.version = 1;
+            ++condensations;
+          }
+        if (operators.coefficients()[0] == 0.)
+          throw SingularMatrix("the condensed matrix");
+        condensed_operators.front().condensed.set_factor(
+          operators.coefficients()[0]);
+        return;
+      }
+
     const unsigned long version = operators.version();
     const auto          known   = std::find_if(condensed_operators.begin(),
                                     condensed_operators.end(),
@@ -312,7 +332,10 @@ namespace StickSlip
       if (known->version != 0)
         {
           result.push_back(known->condensed.factorised());
-          result.back().coefficients = known->coefficients;
+          result.back().coefficients =
+            operators.terms().size() == 1 ?
+              std::vector<double>{known->condensed.factor_of_factorised()} :
+              known->coefficients;
         }
     return result;
   }

@@ -83,10 +83,11 @@ namespace StickSlip
               transpose(contact.axes.at(k)) * tractions[k];
             // Unknowns are jumps from master to slave.
             for (unsigned int d = 0; d < dim - 1; ++d)
-              load.local_element(
-                nodes.local_index(contact.slave_nodes[k]) * dim + d) =
-                contact.sides.sign() * contact.coupling.weight[k] *
-                along_axes[d];
+              load.local_element(nodes.local_index(contact.slave_nodes[k]) *
+                                   nodes.n_components() +
+                                 d) = contact.sides.sign() *
+                                      contact.coupling.weight[k] *
+                                      along_axes[d];
           }
       }
     return load;

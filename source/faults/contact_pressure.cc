@@ -50,8 +50,11 @@ namespace StickSlip
               contact.coupling.active[k] ? k : nearest_in_contact(contact, k);
             // The unknown is averaging_factor times the jump of the node, and
             // so is the force on it times the weight.
-            pressures.push_back(sign * contact.axes.normal_part(m, forces[m]) /
-                                contact.coupling.weight[m]);
+            pressures.push_back(nodes.n_components() < dim ?
+                                  0. :
+                                  sign *
+                                    contact.axes.normal_part(m, forces[m]) /
+                                    contact.coupling.weight[m]);
           }
       }
     return pressures;

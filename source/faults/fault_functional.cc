@@ -5,8 +5,8 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  std::unique_ptr<FaultFriction<dim>>
+  template <int dim, int n_components>
+  std::unique_ptr<FaultFriction<n_components>>
   make_fault_friction(const FaultNodes<dim>     &nodes,
                       const NodeLaws            &laws,
                       const std::vector<double> &normal_stress)
@@ -23,7 +23,7 @@ namespace StickSlip
       }
     for (const FaultLaw &law : laws.laws)
       friction_laws.push_back(law.friction);
-    auto functional = std::make_unique<FaultFriction<dim>>(
+    auto functional = std::make_unique<FaultFriction<n_components>>(
       term_nodes,
       nodes.at_owned_contact(nodes.weights()),
       nodes.at_owned_contact(normal_stress),
@@ -35,6 +35,7 @@ namespace StickSlip
 
 
 
-  template decltype(make_fault_friction<2>) make_fault_friction<2>;
-  template decltype(make_fault_friction<3>) make_fault_friction<3>;
+  template decltype(make_fault_friction<2>)    make_fault_friction<2>;
+  template decltype(make_fault_friction<3>)    make_fault_friction<3>;
+  template decltype(make_fault_friction<2, 1>) make_fault_friction<2, 1>;
 } // namespace StickSlip

@@ -70,7 +70,8 @@ namespace StickSlip
           const unsigned int node = partition.local_index(nodes[i]);
           const double ramp = smooth_ramp(time, finest_rates[i].ramp_length);
           for (unsigned int d = 0; d < dim - 1; ++d)
-            w.local_element(node * dim + d) = ramp * finest_rates[i].value[d];
+            w.local_element(node * partition.n_components() + d) =
+              ramp * finest_rates[i].value[d];
         }
   }
 

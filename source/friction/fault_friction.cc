@@ -16,16 +16,23 @@ namespace StickSlip
   namespace
   {
     /** Tangential components of a node's block come first, whatever its axes
-     * are. */
-    template <int dim>
-    constexpr unsigned int normal_component = dim - 1;
+     * are; a single one is tangential. */
+    template <int n_components>
+    constexpr int n_tangential = n_components == 1 ? 1 : n_components - 1;
 
-    template <int dim>
-    Tensor<1, dim - 1>
-    tangential_part(const Tensor<1, dim> &v)
+    /** The component behind them, if there is one. */
+    template <int n_components>
+    constexpr unsigned int normal_component = n_tangential<n_components>;
+
+    template <int n_components>
+    constexpr bool has_normal = n_tangential<n_components> < n_components;
+
+    template <int n_components>
+    Tensor<1, n_tangential<n_components>>
+    tangential_part(const Tensor<1, n_components> &v)
     {
-      Tensor<1, dim - 1> v_t;
-      for (unsigned int i = 0; i < dim - 1; ++i)
+      Tensor<1, n_tangential<n_components>> v_t;
+      for (unsigned int i = 0; i < normal_component<n_components>; ++i)
         v_t[i] = v[i];
       return v_t;
     }
@@ -69,8 +76,8 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  FaultFriction<dim>::FaultFriction(
+  template <int n_components>
+  FaultFriction<n_components>::FaultFriction(
     const std::vector<unsigned int>                       &nodes,
     const std::vector<double>                             &weights,
     const std::vector<double>                             &normal_stresses,
@@ -102,9 +109,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  FaultFriction<dim>::set_state(const std::vector<double> &alpha)
+  FaultFriction<n_components>::set_state(const std::vector<double> &alpha)
   {
     AssertDimension(alpha.size(), terms.size());
     for (unsigned int k = 0; k < terms.size(); ++k)
@@ -113,9 +120,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  FaultFriction<dim>::set_normal_stresses(
+  FaultFriction<n_components>::set_normal_stresses(
     const std::vector<double> &normal_stresses)
   {
     AssertDimension(normal_stresses.size(), terms.size());
@@ -131,9 +138,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  FaultFriction<dim>::set_cohesion(const std::vector<double> &cohesion)
+  FaultFriction<n_components>::set_cohesion(const std::vector<double> &cohesion)
   {
     AssertDimension(cohesion.size(), terms.size());
     for (unsigned int k = 0; k < terms.size(); ++k)
@@ -145,9 +152,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  FaultFriction<dim>::set_damping(const std::vector<double> &damping)
+  FaultFriction<n_components>::set_damping(const std::vector<double> &damping)
   {
     AssertDimension(damping.size(), terms.size());
     for (unsigned int k = 0; k < terms.size(); ++k)
@@ -159,9 +166,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  FaultFriction<dim>::set_opening(const std::vector<int> &signs)
+  FaultFriction<n_components>::set_opening(const std::vector<int> &signs)
   {
     AssertDimension(signs.size(), terms.size());
     has_openings = true;
@@ -176,9 +183,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   void
-  FaultFriction<dim>::set_opening_bounds(const std::vector<double> &new_bounds)
+  FaultFriction<n_components>::set_opening_bounds(
+    const std::vector<double> &new_bounds)
   {
     Assert(has_bounds(), ExcMessage("set_opening() comes first."));
     AssertDimension(new_bounds.size(), terms.size());
@@ -193,67 +201,57 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  FaultFriction<dim>::is_in_contact(const unsigned int    k,
-                                    const Tensor<1, dim> &v) const
-  {
-    AssertIndexRange(k, terms.size());
-    return bounds.empty() || bounds[k].sign == 0. ||
-           v[normal_component<dim>] == bounds[k].value;
-  }
-
-
-
-  template <int dim>
-  bool
-  FaultFriction<dim>::has_bounds() const
+  FaultFriction<n_components>::has_bounds() const
   {
     return has_openings;
   }
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  FaultFriction<dim>::project(const unsigned int    k,
-                              const Tensor<1, dim> &v) const
+  template <int n_components>
+  Tensor<1, n_components>
+  FaultFriction<n_components>::project(const unsigned int             k,
+                                       const Tensor<1, n_components> &v) const
   {
     AssertIndexRange(k, terms.size());
-    constexpr unsigned int n      = normal_component<dim>;
-    Tensor<1, dim>         result = v;
-    if (!bounds.empty() && bounds[k].is_beyond(v[n]))
+    constexpr unsigned int  n      = normal_component<n_components>;
+    Tensor<1, n_components> result = v;
+    if (has_normal<n_components> && !bounds.empty() &&
+        bounds[k].is_beyond(v[n]))
       result[n] = bounds[k].value;
     return result;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  FaultFriction<dim>::is_at_bound(const unsigned int    k,
-                                  const Tensor<1, dim> &v,
-                                  const unsigned int    component) const
+  FaultFriction<n_components>::is_at_bound(const unsigned int             k,
+                                           const Tensor<1, n_components> &v,
+                                           const unsigned int component) const
   {
     AssertIndexRange(k, terms.size());
-    return component == normal_component<dim> && !bounds.empty() &&
+    return component == normal_component<n_components> && !bounds.empty() &&
            bounds[k].sign != 0. && v[component] == bounds[k].value;
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   double
-  FaultFriction<dim>::slip_rate(const Tensor<1, dim> &v)
+  FaultFriction<n_components>::slip_rate(const Tensor<1, n_components> &v)
   {
     return magnitude(tangential_part(v));
   }
 
 
 
-  template <int dim>
+  template <int n_components>
   double
-  FaultFriction<dim>::value(const unsigned int k, const Tensor<1, dim> &v) const
+  FaultFriction<n_components>::value(const unsigned int             k,
+                                     const Tensor<1, n_components> &v) const
   {
     AssertIndexRange(k, terms.size());
     const Term  &term = terms[k];
@@ -264,18 +262,19 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   double
-  FaultFriction<dim>::directional_derivative(
-    const unsigned int    k,
-    const Tensor<1, dim> &v,
-    const Tensor<1, dim> &direction) const
+  FaultFriction<n_components>::directional_derivative(
+    const unsigned int             k,
+    const Tensor<1, n_components> &v,
+    const Tensor<1, n_components> &direction) const
   {
     AssertIndexRange(k, terms.size());
-    const Term              &term = terms[k];
-    const Tensor<1, dim - 1> v_t  = tangential_part(v);
-    const Tensor<1, dim - 1> d_t  = tangential_part(direction);
-    const double             V    = magnitude(v_t);
+    const Term                                 &term = terms[k];
+    const Tensor<1, n_tangential<n_components>> v_t  = tangential_part(v);
+    const Tensor<1, n_tangential<n_components>> d_t =
+      tangential_part(direction);
+    const double V = magnitude(v_t);
     // Divide first, the product of two small numbers may underflow.
     const double change = (V == 0.) ? magnitude(d_t) : (v_t / V) * d_t;
     return (change == 0.) ? 0. :
@@ -286,32 +285,32 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  FaultFriction<dim>::gradient(const unsigned int    k,
-                               const Tensor<1, dim> &v) const
+  template <int n_components>
+  Tensor<1, n_components>
+  FaultFriction<n_components>::gradient(const unsigned int             k,
+                                        const Tensor<1, n_components> &v) const
   {
     AssertIndexRange(k, terms.size());
-    const Term    &term = terms[k];
-    const double   V    = slip_rate(v);
-    Tensor<1, dim> result;
+    const Term             &term = terms[k];
+    const double            V    = slip_rate(v);
+    Tensor<1, n_components> result;
     if (V == 0.)
       return result;
 
     const double force = term.load * term.law->coefficient(V, term.data) +
                          term.threshold + term.damping * V;
-    for (unsigned int i = 0; i < dim; ++i)
-      if (i != normal_component<dim>)
+    for (unsigned int i = 0; i < n_components; ++i)
+      if (i != normal_component<n_components>)
         result[i] = force * (v[i] / V);
     return result;
   }
 
 
 
-  template <int dim>
-  Tensor<2, dim>
-  FaultFriction<dim>::hessian(const unsigned int    k,
-                              const Tensor<1, dim> &v) const
+  template <int n_components>
+  Tensor<2, n_components>
+  FaultFriction<n_components>::hessian(const unsigned int             k,
+                                       const Tensor<1, n_components> &v) const
   {
     AssertIndexRange(k, terms.size());
     const Term &term = terms[k];
@@ -320,11 +319,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Tensor<2, dim>
-  FaultFriction<dim>::secant_hessian(const unsigned int    k,
-                                     const Tensor<1, dim> &v,
-                                     const Tensor<1, dim> &force) const
+  template <int n_components>
+  Tensor<2, n_components>
+  FaultFriction<n_components>::secant_hessian(
+    const unsigned int             k,
+    const Tensor<1, n_components> &v,
+    const Tensor<1, n_components> &force) const
   {
     AssertIndexRange(k, terms.size());
     const Term  &term = terms[k];
@@ -340,15 +340,15 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Tensor<2, dim>
-  FaultFriction<dim>::hessian_with(const Term           &term,
-                                   const Tensor<1, dim> &v,
-                                   const double          slope)
+  template <int n_components>
+  Tensor<2, n_components>
+  FaultFriction<n_components>::hessian_with(const Term                    &term,
+                                            const Tensor<1, n_components> &v,
+                                            const double slope)
   {
-    Tensor<2, dim> result;
-    for (unsigned int i = 0; i < dim; ++i)
-      if (i != normal_component<dim>)
+    Tensor<2, n_components> result;
+    for (unsigned int i = 0; i < n_components; ++i)
+      if (i != normal_component<n_components>)
         result[i][i] = term.damping;
     // The derivatives of the law may be infinite.
     if (term.load == 0. && term.threshold == 0.)
@@ -362,9 +362,10 @@ namespace StickSlip
       across = bounded(term.load * (term.law->coefficient(V, term.data) / V) +
                        term.threshold / V);
 
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        if (i != normal_component<dim> && j != normal_component<dim>)
+    for (unsigned int i = 0; i < n_components; ++i)
+      for (unsigned int j = 0; j < n_components; ++j)
+        if (i != normal_component<n_components> &&
+            j != normal_component<n_components>)
           {
             const double tt = (V == 0.) ? 0. : (v[i] / V) * (v[j] / V);
             result[i][j] += radial * tt + across * ((i == j ? 1. : 0.) - tt);
@@ -374,10 +375,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  FaultFriction<dim>::is_smooth(const unsigned int    k,
-                                const Tensor<1, dim> &v) const
+  FaultFriction<n_components>::is_smooth(const unsigned int             k,
+                                         const Tensor<1, n_components> &v) const
   {
     AssertIndexRange(k, terms.size());
     const double V = slip_rate(v);
@@ -387,36 +388,38 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int n_components>
   bool
-  FaultFriction<dim>::acts_on(const unsigned int,
-                              const unsigned int component) const
+  FaultFriction<n_components>::acts_on(const unsigned int,
+                                       const unsigned int component) const
   {
-    AssertIndexRange(component, dim);
-    return component != normal_component<dim>;
+    AssertIndexRange(component, n_components);
+    return component != normal_component<n_components>;
   }
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  FaultFriction<dim>::minimise(const unsigned int           k,
-                               const Tensor<2, dim>        &A,
-                               const Tensor<1, dim>        &r,
-                               const std::array<bool, dim> &active,
-                               const Tensor<1, dim>        &start) const
+  template <int n_components>
+  Tensor<1, n_components>
+  FaultFriction<n_components>::minimise(
+    const unsigned int                    k,
+    const Tensor<2, n_components>        &A,
+    const Tensor<1, n_components>        &r,
+    const std::array<bool, n_components> &active,
+    const Tensor<1, n_components>        &start) const
   {
     AssertIndexRange(k, terms.size());
-    constexpr unsigned int n    = normal_component<dim>;
+    constexpr unsigned int n    = normal_component<n_components>;
     const Term            &term = terms[k];
-    if (bounds.empty() || bounds[k].sign == 0. || !active[n])
+    if (!has_normal<n_components> || bounds.empty() || bounds[k].sign == 0. ||
+        !active[n])
       return minimise_unbounded(term, A, r, active, start);
 
     const Bound &bound    = bounds[k];
     const auto   at_bound = [&]() {
-      std::array<bool, dim> others = active;
-      others[n]                    = false;
-      Tensor<1, dim> start_there = start, r_there = r;
+      std::array<bool, n_components> others = active;
+      others[n]                             = false;
+      Tensor<1, n_components> start_there = start, r_there = r;
       start_there[n] = bound.value;
       for (unsigned int i = 0; i < n; ++i)
         r_there[i] -= A[i][n] * bound.value;
@@ -424,8 +427,8 @@ namespace StickSlip
     };
 
     // The state of the start is the likely one.
-    const bool     starts_at_bound = (start[n] == bound.value);
-    Tensor<1, dim> v_at_bound;
+    const bool              starts_at_bound = (start[n] == bound.value);
+    Tensor<1, n_components> v_at_bound;
     if (starts_at_bound)
       {
         v_at_bound   = at_bound();
@@ -436,7 +439,8 @@ namespace StickSlip
         if (bound.sign * force <= 0.)
           return v_at_bound;
       }
-    const Tensor<1, dim> v = minimise_unbounded(term, A, r, active, start);
+    const Tensor<1, n_components> v =
+      minimise_unbounded(term, A, r, active, start);
     if (!bound.is_beyond(v[n]))
       return v;
     return starts_at_bound ? v_at_bound : at_bound();
@@ -444,42 +448,46 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  FaultFriction<dim>::minimise_unbounded(const Term                  &term,
-                                         const Tensor<2, dim>        &A,
-                                         const Tensor<1, dim>        &r,
-                                         const std::array<bool, dim> &active,
-                                         const Tensor<1, dim>        &start)
+  template <int n_components>
+  Tensor<1, n_components>
+  FaultFriction<n_components>::minimise_unbounded(
+    const Term                           &term,
+    const Tensor<2, n_components>        &A,
+    const Tensor<1, n_components>        &r,
+    const std::array<bool, n_components> &active,
+    const Tensor<1, n_components>        &start)
   {
-    constexpr unsigned int n = normal_component<dim>;
+    constexpr unsigned int n = normal_component<n_components>;
 
     // Take the normal component out: there the functional is quadratic.
-    Tensor<2, dim - 1>        A_t;
-    Tensor<1, dim - 1>        r_t      = tangential_part(r);
-    Tensor<1, dim - 1>        v_t      = tangential_part(start);
-    std::array<bool, dim - 1> active_t = {};
-    for (unsigned int i = 0; i < dim - 1; ++i)
+    const bool with_normal = has_normal<n_components> && active[n];
+    Tensor<2, n_tangential<n_components>>        A_t;
+    Tensor<1, n_tangential<n_components>>        r_t = tangential_part(r);
+    Tensor<1, n_tangential<n_components>>        v_t = tangential_part(start);
+    std::array<bool, n_tangential<n_components>> active_t = {};
+    for (unsigned int i = 0; i < normal_component<n_components>; ++i)
       {
         active_t[i]           = active[i];
-        const double transfer = active[n] ? A[i][n] / A[n][n] : 0.;
-        r_t[i] -= transfer * r[n];
-        for (unsigned int j = 0; j < dim - 1; ++j)
-          A_t[i][j] = A[i][j] - transfer * A[n][j];
+        const double transfer = with_normal ? A[i][n] / A[n][n] : 0.;
+        if (has_normal<n_components>)
+          r_t[i] -= transfer * r[n];
+        for (unsigned int j = 0; j < normal_component<n_components>; ++j)
+          A_t[i][j] =
+            A[i][j] - (has_normal<n_components> ? transfer * A[n][j] : 0.);
         A_t[i][i] += term.damping;
       }
 
     minimise_tangential(
       *term.law, term.data, term.load, term.threshold, A_t, r_t, active_t, v_t);
 
-    Tensor<1, dim> v = start;
-    for (unsigned int i = 0; i < dim - 1; ++i)
+    Tensor<1, n_components> v = start;
+    for (unsigned int i = 0; i < normal_component<n_components>; ++i)
       v[i] = v_t[i];
-    if (active[n])
+    if (with_normal)
       {
         // The right hand side already holds the inactive components.
         double force = r[n];
-        for (unsigned int i = 0; i < dim - 1; ++i)
+        for (unsigned int i = 0; i < normal_component<n_components>; ++i)
           if (active[i])
             force -= A[n][i] * v[i];
         v[n] = force / A[n][n];
@@ -489,6 +497,7 @@ namespace StickSlip
 
 
 
+  template class FaultFriction<1>;
   template class FaultFriction<2>;
   template class FaultFriction<3>;
 } // namespace StickSlip

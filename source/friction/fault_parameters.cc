@@ -26,7 +26,7 @@ namespace StickSlip
     add_field(prm,
               "Normal stress function",
               normal_stress,
-              NumberRange().at_least(0),
+              NumberRange().at_least(0).in("Pa"),
               "The given normal stress, in Pa, compression positive. Used only "
               "with 'Normal stress = function'.");
     add_switch(prm,

@@ -5,6 +5,8 @@
 #include <stickslip/friction/friction_parameters.h>
 #include <stickslip/parameters/name_list.h>
 
+#include <cmath>
+
 namespace StickSlip
 {
   FrictionParameters::FrictionParameters()
@@ -14,6 +16,8 @@ namespace StickSlip
       {
         SpatialField &field = parameters[parameter.entry];
         field               = parameter.default_value;
+        if (parameter.optional)
+          field.make_optional(parameter.default_value);
         if (parameter.words.empty())
           field.describe(parameter.entry, parameter.range);
       }
@@ -80,6 +84,51 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<GivenStart<dim - 1>>
+  FrictionParameters::given_starts(const std::vector<Point<dim>> &points,
+                                   const std::string             &section) const
+  {
+    std::vector<GivenStart<dim - 1>> result(points.size());
+    if (has_prescribed_slip())
+      return result;
+    const auto given = [this](const LawParameter &parameter) {
+      return parameters.at(parameter.entry).is_given();
+    };
+    if (has_state() && given(CommonParameters::initial_state()))
+      {
+        const std::vector<double> theta = initial_states(points, section);
+        for (unsigned int k = 0; k < points.size(); ++k)
+          result[k].log_state = std::log(theta[k]);
+      }
+    // A vector is given where one of its components is.
+    const auto set_vectors =
+      [&](std::optional<Tensor<1, dim - 1>> GivenStart<dim - 1>::*member,
+          LawParameter (*parameter)(const unsigned int)) {
+        bool is_given = false;
+        for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+          is_given = is_given || given(parameter(axis));
+        for (unsigned int axis = 0; axis + 1 < dim && is_given; ++axis)
+          {
+            const std::vector<double> values =
+              parameters.at(parameter(axis).entry).values(points, section);
+            for (unsigned int k = 0; k < points.size(); ++k)
+              {
+                if (axis == 0)
+                  (result[k].*member).emplace();
+                (*(result[k].*member))[axis] = values[k];
+              }
+          }
+      };
+    set_vectors(&GivenStart<dim - 1>::slip_rate,
+                CommonParameters::initial_slip_rate);
+    set_vectors(&GivenStart<dim - 1>::shear_stress,
+                CommonParameters::initial_shear_stress);
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<Tensor<1, dim - 1>>
   FrictionParameters::prescribed_slip_rates(
     const std::vector<Point<dim>> &points,
@@ -110,6 +159,20 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<std::string>
+  FrictionParameters::tables_elsewhere(
+    const std::vector<Point<dim>> &points) const
+  {
+    std::vector<std::string> names;
+    for (const auto &[entry, field] : parameters)
+      if (field.is_table_elsewhere(points))
+        names.push_back(entry);
+    return names;
+  }
+
+
+
+  template <int dim>
   void
   FrictionParameters::check(const std::vector<Point<dim>> &points,
                             const std::string             &section) const
@@ -117,6 +180,7 @@ namespace StickSlip
     law_values(points, section);
     if (has_state())
       initial_states(points, section);
+    given_starts(points, section);
     if (opening.may_open())
       for (const SpatialField *field :
            {&opening.tensile_strength, &opening.cohesion, &opening.initial_gap})
@@ -125,15 +189,20 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                                      \
-  template std::vector<LawValues> FrictionParameters::law_values<dim>(  \
-    const std::vector<Point<dim>> &, const std::string &) const;        \
-  template std::vector<double> FrictionParameters::initial_states<dim>( \
-    const std::vector<Point<dim>> &, const std::string &) const;        \
-  template std::vector<Tensor<1, dim - 1>>                              \
-  FrictionParameters::prescribed_slip_rates<dim>(                       \
-    const std::vector<Point<dim>> &, const std::string &) const;        \
-  template void FrictionParameters::check<dim>(                         \
+#define STICKSLIP_INSTANTIATE(dim)                                             \
+  template std::vector<LawValues> FrictionParameters::law_values<dim>(         \
+    const std::vector<Point<dim>> &, const std::string &) const;               \
+  template std::vector<double> FrictionParameters::initial_states<dim>(        \
+    const std::vector<Point<dim>> &, const std::string &) const;               \
+  template std::vector<GivenStart<dim - 1>>                                    \
+  FrictionParameters::given_starts<dim>(const std::vector<Point<dim>> &,       \
+                                        const std::string &) const;            \
+  template std::vector<Tensor<1, dim - 1>>                                     \
+  FrictionParameters::prescribed_slip_rates<dim>(                              \
+    const std::vector<Point<dim>> &, const std::string &) const;               \
+  template std::vector<std::string> FrictionParameters::tables_elsewhere<dim>( \
+    const std::vector<Point<dim>> &) const;                                    \
+  template void FrictionParameters::check<dim>(                                \
     const std::vector<Point<dim>> &, const std::string &) const;
 
   STICKSLIP_INSTANTIATE(2)

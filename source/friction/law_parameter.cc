@@ -43,11 +43,18 @@ namespace StickSlip
   void
   LawParameter::declare(ParameterHandler &prm, SpatialField &value) const
   {
+    NumberRange range_with_unit = range;
+    if (unit != "1")
+      range_with_unit.in(unit);
     if (varies)
-      add_field(prm, entry, value, range, full_documentation());
+      add_field(prm, entry, value, range_with_unit, full_documentation());
     else if (words.empty())
       {
-        prm.declare_entry(entry, value.text(), range, full_documentation());
+        value.describe(entry, range_with_unit);
+        prm.declare_entry(entry,
+                          value.text(),
+                          range_with_unit,
+                          full_documentation());
         prm.add_action(entry,
                        [&value](const std::string &text) { value.set(text); });
       }
@@ -73,7 +80,8 @@ namespace StickSlip
            one.range.description() == other.range.description() &&
            one.default_value == other.default_value &&
            one.varies == other.varies && one.words == other.words &&
-           one.least_dimension == other.least_dimension;
+           one.least_dimension == other.least_dimension &&
+           one.optional == other.optional;
   }
 
 

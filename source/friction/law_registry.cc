@@ -160,6 +160,11 @@ namespace StickSlip
             add(CommonParameters::initial_state(), kind.name);
             kind.parameters.push_back(CommonParameters::state_law());
           }
+        if (kind.make_law)
+          for (const auto &parameter : {CommonParameters::initial_slip_rate,
+                                        CommonParameters::initial_shear_stress})
+            for (unsigned int axis = 0; axis < 2; ++axis)
+              add(parameter(axis), kind.name);
         known_kinds.push_back(kind);
       }
   }

@@ -24,26 +24,26 @@ namespace StickSlip
     add_field(prm,
               "Tensile strength",
               tensile_strength,
-              NumberRange().at_least(0),
+              NumberRange().at_least(0).in("Pa"),
               "Tension that keeps a unilateral fault from opening where its "
               "sides are bonded, in Pa. The bond breaks when they part.");
     add_field(prm,
               "Cohesion",
               cohesion,
-              NumberRange().at_least(0),
+              NumberRange().at_least(0).in("Pa"),
               "Shear traction beyond that of friction up to which a bond of a "
               "unilateral fault allows no slip, in Pa. The bond breaks when "
               "the fault slips or opens.");
     add_number(prm,
                "Bond healing time",
                bond_healing_time,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("s"),
                "Time for which the sides must touch after a bond has broken "
                "before they are bonded again, in s (0: they never are).");
     add_field(prm,
               "Initial gap",
               initial_gap,
-              NumberRange().at_least(0),
+              NumberRange().at_least(0).in("m"),
               "Gap between the sides of a unilateral fault at the start, in m: "
               "what the bodies may approach each other before they touch.");
     add_choice(

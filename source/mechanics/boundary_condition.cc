@@ -23,6 +23,8 @@ namespace StickSlip
   std::string
   BoundaryCondition<dim>::component_name(const unsigned int component) const
   {
+    if (n_components < dim)
+      return "z";
     if (axes == BoundaryAxes::space)
       return std::string(1, "xyz"[component]);
     return component == dim - 1 ? "normal" :
@@ -42,13 +44,14 @@ namespace StickSlip
                axes,
                {{BoundaryAxes::space, "space"}, {BoundaryAxes::side, "side"}},
                "The directions of conditions and values: x, y (z) (space), or "
-               "those of the side (side), which must be plane: its outward "
+               "those of the side (side), which may be curved but have no "
+               "corners: its outward "
                "normal n ('normal condition', 'normal value'), and in two "
                "dimensions the tangent (n_y, -n_x) ('tangential condition'); "
                "in three the first tangent is the direction in the side next "
-               "to x (to y where n is within 15 degrees of x), the second one "
-               "n times the first.");
-    for (unsigned int component = 0; component < dim; ++component)
+               "to x (to y where n is anywhere within 15 degrees of x, then to "
+               "z), the second one n times the first.");
+    for (unsigned int component = 0; component < n_components; ++component)
       {
         const std::string axis = component_name(component);
         const std::string direction =
@@ -77,7 +80,7 @@ namespace StickSlip
     add_number(prm,
                "Ramp length",
                ramp_length,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("s"),
                "Time in which the given values grow smoothly from zero, by "
                "half a cosine, in s; 0: they act in full from the start.");
   }

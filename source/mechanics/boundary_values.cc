@@ -39,24 +39,24 @@ namespace StickSlip
 
 
     /** Add a force along the axis @p c, N, to the load of a node. */
-    template <int dim>
+    template <int n_components>
     void
-    add_along(const Tensor<2, dim> &axes,
-              const unsigned int    c,
-              const double          force,
-              const unsigned int    node,
-              NodalVector          &load)
+    add_along(const Tensor<2, n_components> &axes,
+              const unsigned int             c,
+              const double                   force,
+              const unsigned int             node,
+              NodalVector                   &load)
     {
-      for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int d = 0; d < n_components; ++d)
         if (axes[d][c] != 0.)
-          load.local_element(node * dim + d) += axes[d][c] * force;
+          load.local_element(node * n_components + d) += axes[d][c] * force;
     }
   } // namespace
 
 
 
-  template <int dim>
-  BoundaryValues<dim>::BoundaryValues(
+  template <int dim, int n_components>
+  BoundaryValues<dim, n_components>::BoundaryValues(
     const MeshHierarchy<dim>                  &meshes,
     const std::vector<BoundaryCondition<dim>> &conditions,
     const std::vector<std::string>            &body_names)
@@ -71,7 +71,7 @@ namespace StickSlip
           body_names.begin();
         AssertIndexRange(side.body, body_names.size());
         side.condition = condition;
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           {
             static const std::regex the_time("\\bt\\b");
             side.varies[c] =
@@ -81,18 +81,21 @@ namespace StickSlip
             side.values.emplace_back(condition.expression[c], true);
           }
         const BodyMesh<dim> &body = *finest.bodies[side.body];
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           side.axes[c][c] = 1.;
         if (condition.axes == BoundaryAxes::side)
           {
             const FaultSurface<dim> surface = body.surface(condition.side);
-            if (!is_plane(surface))
-              throw InputError("'Boundary conditions/" + condition.body + " " +
-                               condition.side_name +
-                               "/Axes' = 'side': the side is not plane; "
-                               "conditions on a curved side are along the axes "
-                               "of space only.");
-            side.axes = axes_of_side(surface.normal);
+            try
+              {
+                find_axes(surface, body.is_rigid(), side);
+              }
+            catch (const InputError &error)
+              {
+                throw InputError("'Boundary conditions/" + condition.body +
+                                 " " + condition.side_name +
+                                 "/Axes' = 'side': " + error.what());
+              }
           }
         const auto add_node = [&](const types::global_dof_index dof,
                                   const Point<dim>             &point) {
@@ -125,9 +128,67 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  std::map<types::global_dof_index, typename BoundaryValues<dim>::TurnedNode>
-  BoundaryValues<dim>::find_turned_nodes(const unsigned int l) const
+  template <int dim, int n_components>
+  void
+  BoundaryValues<dim, n_components>::find_axes(const FaultSurface<dim> &surface,
+                                               const bool is_rigid,
+                                               Side      &side)
+  {
+    std::vector<Tensor<1, dim>> normals = {surface.normal};
+    if (!is_plane(surface))
+      {
+        if (is_rigid)
+          throw InputError("the side is curved and its body rigid, which moves "
+                           "as a whole; give the velocity along the axes of "
+                           "space.");
+        side.normals = SideNormals<dim>(surface);
+        normals      = side.normals.all();
+      }
+    side.reference = reference_of_side(normals);
+    if (dim == 3 && side.reference == numbers::invalid_unsigned_int)
+      {
+        // Any two tangents do where both are held or both are free.
+        const auto &type = side.condition.type;
+        if (type[0] != type[1] ||
+            (type[0] != BoundaryType::free && type[0] != BoundaryType::fixed))
+          throw InputError("the side comes within 15 degrees of being normal "
+                           "to each axis of space, so that its tangential "
+                           "directions are not the same everywhere; it must be "
+                           "divided, or both of them 'free' or 'fixed'.");
+      }
+    if constexpr (n_components == dim)
+      side.axes = axes_of_side(surface.normal, side.reference);
+  }
+
+
+
+  template <int dim, int n_components>
+  Tensor<2, n_components>
+  BoundaryValues<dim, n_components>::Side::axes_at(
+    const Point<dim> &point) const
+  {
+    return normals.empty() ? axes : axes_with(normals.at(point));
+  }
+
+
+
+  template <int dim, int n_components>
+  Tensor<2, n_components>
+  BoundaryValues<dim, n_components>::Side::axes_with(
+    [[maybe_unused]] const Tensor<1, dim> &normal) const
+  {
+    if constexpr (n_components == dim)
+      return axes_of_side(normal, reference);
+    return axes;
+  }
+
+
+
+  template <int dim, int n_components>
+  std::map<types::global_dof_index,
+           typename BoundaryValues<dim, n_components>::TurnedNode>
+  BoundaryValues<dim, n_components>::find_turned_nodes(
+    const unsigned int l) const
   {
     const MeshLevel<dim>                         &level = meshes.level(l);
     std::map<types::global_dof_index, TurnedNode> nodes;
@@ -163,15 +224,17 @@ namespace StickSlip
     for (unsigned int i = sides.size(); i-- > 0;)
       for_each_node(sides[i],
                     [&](const types::global_dof_index node,
-                        const Point<dim> &) {
+                        const Point<dim>             &point) {
                       const auto turned = nodes.find(node);
                       if (turned == nodes.end())
                         return;
-                      for (unsigned int c = 0; c < dim; ++c)
+                      const Tensor<2, n_components> axes =
+                        sides[i].axes_at(point);
+                      for (unsigned int c = 0; c < n_components; ++c)
                         {
-                          Tensor<1, dim> direction;
-                          for (unsigned int d = 0; d < dim; ++d)
-                            direction[d] = sides[i].axes[d][c];
+                          Tensor<1, n_components> direction;
+                          for (unsigned int d = 0; d < n_components; ++d)
+                            direction[d] = axes[d][c];
                           if (is_prescribed(sides[i].condition.type[c]) &&
                               turned->second.constraint.add(direction))
                             turned->second.values.emplace_back(i, c);
@@ -182,26 +245,26 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  NodeFrames<dim>
-  BoundaryValues<dim>::frames(const unsigned int l) const
+  template <int dim, int n_components>
+  NodeFrames<n_components>
+  BoundaryValues<dim, n_components>::frames(const unsigned int l) const
   {
-    NodeFrames<dim> frames;
+    NodeFrames<n_components> frames;
     for (const auto &[node, turned] : find_turned_nodes(l))
       // Any axes do where all components are prescribed.
-      if (turned.constraint.size() < dim)
+      if (turned.constraint.size() < n_components)
         frames.set(node, turned.constraint.axes());
     return frames;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodeMask
-  BoundaryValues<dim>::dirichlet_mask(const unsigned int l) const
+  BoundaryValues<dim, n_components>::dirichlet_mask(const unsigned int l) const
   {
     const MeshLevel<dim> &level = meshes.level(l);
-    NodeMask              mask(level.n_nodes(), dim);
+    NodeMask              mask(level.n_nodes(), n_components);
     for (unsigned int b = 0; b < level.bodies.size(); ++b)
       if (level.bodies[b]->is_rigid())
         for (types::global_dof_index dof = 0;
@@ -211,12 +274,12 @@ namespace StickSlip
     const auto turned_nodes = find_turned_nodes(l);
     for (const auto &[node, turned] : turned_nodes)
       for (unsigned int k = 0; k < turned.constraint.size(); ++k)
-        if (mask.is_active(node, dim - 1 - k))
-          mask.mask(node, dim - 1 - k);
+        if (mask.is_active(node, n_components - 1 - k))
+          mask.mask(node, n_components - 1 - k);
     for (const Side &side : sides)
       for (const auto dof :
            level.bodies[side.body]->dofs_on_side(side.condition.side))
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (is_prescribed(side.condition.type[c]))
             if (const auto node = level.global_node(side.body, dof);
                 mask.is_active(node, c) && turned_nodes.count(node) == 0)
@@ -226,29 +289,30 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  BoundaryValues<dim>::set_velocities(const double time, NodalVector &velocity)
+  BoundaryValues<dim, n_components>::set_velocities(const double time,
+                                                    NodalVector &velocity)
   {
     for (Side &side : sides)
       for (unsigned int c = 0;
-           c < dim && side.condition.axes == BoundaryAxes::space;
+           c < n_components && side.condition.axes == BoundaryAxes::space;
            ++c)
         {
           if (side.condition.type[c] == BoundaryType::velocity)
             {
               const double ramp = smooth_ramp(time, side.condition.ramp_length);
               for (unsigned int k = 0; k < side.nodes.size(); ++k)
-                velocity.local_element(side.nodes[k] * dim + c) =
+                velocity.local_element(side.nodes[k] * n_components + c) =
                   ramp * side.values[c].value(side.points[k], time);
             }
           else if (side.condition.type[c] == BoundaryType::fixed)
             for (const unsigned int node : side.nodes)
-              velocity.local_element(node * dim + c) = 0.;
+              velocity.local_element(node * n_components + c) = 0.;
         }
     for (const auto &[node, turned] : turned_nodes)
       {
-        std::array<double, dim> values{};
+        std::array<double, n_components> values{};
         for (unsigned int k = 0; k < turned.values.size(); ++k)
           {
             const auto [i, c] = turned.values[k];
@@ -257,20 +321,20 @@ namespace StickSlip
               values[k] = smooth_ramp(time, side.condition.ramp_length) *
                           side.values[c].value(turned.point, time);
           }
-        Tensor<1, dim> u;
-        for (unsigned int d = 0; d < dim; ++d)
-          u[d] = velocity.local_element(node * dim + d);
+        Tensor<1, n_components> u;
+        for (unsigned int d = 0; d < n_components; ++d)
+          u[d] = velocity.local_element(node * n_components + d);
         u = turned.constraint.impose(u, values);
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity.local_element(node * dim + d) = u[d];
+        for (unsigned int d = 0; d < n_components; ++d)
+          velocity.local_element(node * n_components + d) = u[d];
       }
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   bool
-  BoundaryValues<dim>::has_tractions() const
+  BoundaryValues<dim, n_components>::has_tractions() const
   {
     return std::any_of(sides.begin(), sides.end(), [](const Side &side) {
       return has_traction(side.condition);
@@ -279,9 +343,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  BoundaryValues<dim>::add_tractions(const double time, NodalVector &load)
+  BoundaryValues<dim, n_components>::add_tractions(const double time,
+                                                   NodalVector &load)
   {
     const MeshLevel<dim> &level = meshes.finest();
     const IndexSet       &owned = level.nodes.owned();
@@ -297,7 +362,8 @@ namespace StickSlip
         FEFaceValues<dim> fe_values(
           dofs.get_fe(),
           face_shape.template get_gauss_type_quadrature<dim - 1>(3),
-          update_values | update_quadrature_points | update_JxW_values);
+          update_values | update_quadrature_points | update_JxW_values |
+            (side.normals.empty() ? update_default : update_normal_vectors));
         std::vector<types::global_dof_index> cell_dofs(fe_values.dofs_per_cell);
         for (const auto &cell : dofs.active_cell_iterators())
           for (const unsigned int f : cell->face_indices())
@@ -306,12 +372,17 @@ namespace StickSlip
               {
                 fe_values.reinit(cell, f);
                 cell->get_dof_indices(cell_dofs);
-                for (unsigned int c = 0; c < dim; ++c)
+                for (unsigned int c = 0; c < n_components; ++c)
                   if (side.condition.type[c] == BoundaryType::traction)
                     {
                       for (const unsigned int q :
                            fe_values.quadrature_point_indices())
                         {
+                          const Tensor<2, n_components> axes =
+                            side.normals.empty() ?
+                              side.axes :
+                              side.axes_with(
+                                Tensor<1, dim>(fe_values.normal_vector(q)));
                           const double traction =
                             ramp * fe_values.JxW(q) *
                             side.values[c].value(fe_values.quadrature_point(q),
@@ -324,7 +395,7 @@ namespace StickSlip
                               for (const auto &master :
                                    level.resolve(side.body, cell_dofs[i]))
                                 if (owned.is_element(master.first))
-                                  add_along(side.axes,
+                                  add_along(axes,
                                             c,
                                             master.second * value,
                                             level.nodes.local_index(
@@ -339,9 +410,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  BoundaryValues<dim>::longest_ramp() const
+  BoundaryValues<dim, n_components>::longest_ramp() const
   {
     double longest = 0;
     for (const Side &side : sides)
@@ -353,17 +424,17 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  BoundaryValues<dim>::loading_error(const double       time,
-                                     const double       tau,
-                                     LargestLoads<dim> &largest)
+  BoundaryValues<dim, n_components>::loading_error(const double       time,
+                                                   const double       tau,
+                                                   LargestLoads<dim> &largest)
   {
     // Zero on sides that have not been met yet.
     largest.resize(sides.size());
     double error = 0;
     for (unsigned int i = 0; i < sides.size(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < n_components; ++c)
         {
           Side &side = sides[i];
           if (!side.varies[c])
@@ -403,4 +474,5 @@ namespace StickSlip
 
   template class BoundaryValues<2>;
   template class BoundaryValues<3>;
+  template class BoundaryValues<2, 1>;
 } // namespace StickSlip

@@ -97,20 +97,36 @@ namespace StickSlip
      * The block of an isotropic form 2 mu eps(u):eps(v) + lambda div u div v
      * for the shape functions with gradients @p gi (test) and @p gj.
      */
-    template <int dim>
-    Tensor<2, dim>
+    template <int n_components, int dim>
+    Tensor<2, n_components>
     isotropic_block(const double          lambda,
                     const double          mu,
                     const Tensor<1, dim> &gi,
                     const Tensor<1, dim> &gj)
     {
-      Tensor<2, dim> block;
-      for (unsigned int c = 0; c < dim; ++c)
+      Tensor<2, n_components> block;
+      for (unsigned int c = 0; c < n_components; ++c)
         {
-          for (unsigned int d = 0; d < dim; ++d)
+          // Displacements out of the plane change no volume.
+          for (unsigned int d = 0; d < n_components && n_components == dim; ++d)
             block[c][d] = lambda * gi[c] * gj[d] + mu * gi[d] * gj[c];
           block[c][c] += mu * (gi * gj);
         }
+      return block;
+    }
+
+
+
+    /** The product of what two shape functions do to the volume of a cell, by
+     * the integrals of their gradients. */
+    template <int n_components, int dim>
+    Tensor<2, n_components>
+    volumetric_block(const Tensor<1, dim> &integral_i,
+                     const Tensor<1, dim> &integral_j)
+    {
+      Tensor<2, n_components> block;
+      if constexpr (n_components == dim)
+        block = outer_product(integral_i, integral_j);
       return block;
     }
 
@@ -260,12 +276,12 @@ namespace StickSlip
 
 
 
-    template <int dim>
+    template <int n_components>
     void
-    add(BlockMatrix<dim>     &matrix,
-        const LocalRow       &row_i,
-        const LocalRow       &row_j,
-        const Tensor<2, dim> &value)
+    add(BlockMatrix<n_components>     &matrix,
+        const LocalRow                &row_i,
+        const LocalRow                &row_j,
+        const Tensor<2, n_components> &value)
     {
       for (const auto &i : row_i)
         for (const auto &j : row_j)
@@ -275,17 +291,18 @@ namespace StickSlip
               continue;
             double *block =
               matrix.block(matrix.sparsity().position(i.first, j.first));
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int d = 0; d < dim; ++d)
-                block[c * dim + d] += i.second * j.second * value[c][d];
+            for (unsigned int c = 0; c < n_components; ++c)
+              for (unsigned int d = 0; d < n_components; ++d)
+                block[c * n_components + d] +=
+                  i.second * j.second * value[c][d];
           }
     }
   } // namespace
 
 
 
-  template <int dim>
-  ElasticMatrices<dim>
+  template <int dim, int n_components>
+  ElasticMatrices<n_components>
   assemble_elastic_matrices(const MeshLevel<dim>              &level,
                             const std::vector<MaterialFields> &materials,
                             const bool                         with_mass)
@@ -294,12 +311,12 @@ namespace StickSlip
     bool       with_damping = false;
     for (unsigned int b = 0; b < materials.size(); ++b)
       with_damping |= !level.bodies[b]->is_rigid() && materials[b].is_viscous();
-    ElasticMatrices<dim> result;
-    result.stiffness = BlockMatrix<dim>(sparsity);
+    ElasticMatrices<n_components> result;
+    result.stiffness = BlockMatrix<n_components>(sparsity);
     if (with_mass)
-      result.mass = BlockMatrix<dim>(sparsity);
+      result.mass = BlockMatrix<n_components>(sparsity);
     if (with_damping)
-      result.damping = BlockMatrix<dim>(sparsity);
+      result.damping = BlockMatrix<n_components>(sparsity);
     MaterialsOfCell<dim> at(materials);
     std::vector<Moduli>  moduli_at;
     for_each_cell(
@@ -328,31 +345,33 @@ namespace StickSlip
         for (unsigned int i = 0; i < rows.size(); ++i)
           for (unsigned int j = 0; j < rows.size(); ++j)
             {
-              double         mass = 0;
-              Tensor<2, dim> stiffness, damping;
+              double                  mass = 0;
+              Tensor<2, n_components> stiffness, damping;
               for (const unsigned int q : fe_values.quadrature_point_indices())
                 {
                   const double          JxW = fe_values.JxW(q);
                   const Tensor<1, dim> &gi  = fe_values.shape_grad(i, q);
                   const Tensor<1, dim> &gj  = fe_values.shape_grad(j, q);
                   const Moduli         &m   = moduli_at[q];
-                  stiffness += JxW * isotropic_block(m.lambda, m.mu, gi, gj);
+                  stiffness +=
+                    JxW * isotropic_block<n_components>(m.lambda, m.mu, gi, gj);
                   if (with_mass)
                     mass += at[q].density * fe_values.shape_value(i, q) *
                             fe_values.shape_value(j, q) * JxW;
                   if (with_damping)
-                    damping +=
-                      JxW * isotropic_block(m.viscous_lambda, m.eta, gi, gj);
+                    damping += JxW * isotropic_block<n_components>(
+                                       m.viscous_lambda, m.eta, gi, gj);
                 }
               if (!integrals.empty())
                 {
-                  const Tensor<2, dim> mean =
-                    outer_product(integrals[i], integrals[j]) / volume;
+                  const Tensor<2, n_components> mean =
+                    volumetric_block<n_components>(integrals[i], integrals[j]) /
+                    volume;
                   stiffness += mean_modulus.bulk * mean;
                   damping += mean_modulus.viscous * mean;
                 }
-              Tensor<2, dim> mass_block;
-              for (unsigned int c = 0; c < dim; ++c)
+              Tensor<2, n_components> mass_block;
+              for (unsigned int c = 0; c < n_components; ++c)
                 mass_block[c][c] = mass;
               add(result.stiffness, rows[i], rows[j], stiffness);
               if (with_mass)
@@ -441,4 +460,7 @@ namespace StickSlip
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)
+  template struct ElasticMatrices<1>;
+  template decltype(assemble_elastic_matrices<2, 1>)
+    assemble_elastic_matrices<2, 1>;
 } // namespace StickSlip

@@ -64,7 +64,7 @@ namespace StickSlip
     add_field(prm,
               "Young modulus",
               youngs_modulus,
-              NumberRange().above(0),
+              NumberRange().above(0).in("Pa"),
               "Young's modulus E, in Pa.");
     add_field(prm,
               "Poisson ratio",
@@ -75,17 +75,17 @@ namespace StickSlip
     add_field(prm,
               "Density",
               density,
-              NumberRange().above(0),
+              NumberRange().above(0).in("kg/m^3"),
               "Mass density rho, in kg/m^3.");
     add_field(prm,
               "Shear viscosity",
               shear_viscosity,
-              NumberRange().at_least(0),
+              NumberRange().at_least(0).in("Pa s"),
               "Viscosity eta against change of shape, in Pa s.");
     add_field(prm,
               "Bulk viscosity",
               bulk_viscosity,
-              NumberRange().at_least(0),
+              NumberRange().at_least(0).in("Pa s"),
               "Viscosity zeta against change of volume, in Pa s.");
     add_choice(prm,
                "Volumetric strain",

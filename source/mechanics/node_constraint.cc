@@ -84,6 +84,7 @@ namespace StickSlip
 
 
 
+  template class NodeConstraint<1>;
   template class NodeConstraint<2>;
   template class NodeConstraint<3>;
 } // namespace StickSlip

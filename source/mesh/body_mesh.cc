@@ -7,9 +7,9 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/geometry/face_area.h>
+#include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
-#include <stickslip/mesh/face_area.h>
-#include <stickslip/mesh/fault_shape.h>
 
 #include <algorithm>
 #include <map>
@@ -85,11 +85,13 @@ namespace StickSlip
 
 
     /** Refine every cell with a vertex on one of the sides, and where a
-     * function is greater than zero if there is one. */
+     * function is greater than zero if there is one, and so many @p rows of
+     * cells from there. */
     template <int dim>
     void
     refine_at(const std::set<types::boundary_id>              &sides,
               const std::function<double(const Point<dim> &)> &where,
+              const unsigned int                               rows,
               Triangulation<dim>                              &mesh)
     {
       std::vector<bool> is_on_side(mesh.n_vertices(), false);
@@ -99,6 +101,16 @@ namespace StickSlip
             for (const auto v : face->vertex_indices())
               if (!where || where(face->vertex(v)) > 0.)
                 is_on_side[face->vertex_index(v)] = true;
+
+      for (unsigned int row = 1; row < rows; ++row)
+        {
+          const std::vector<bool> is_in_rows_before = is_on_side;
+          for (const auto &cell : mesh.active_cell_iterators())
+            for (const auto v : cell->vertex_indices())
+              if (is_in_rows_before[cell->vertex_index(v)])
+                for (const auto w : cell->vertex_indices())
+                  is_on_side[cell->vertex_index(w)] = true;
+        }
 
       bool any = false;
       for (const auto &cell : mesh.active_cell_iterators())
@@ -154,7 +166,10 @@ namespace StickSlip
       {
         refined->refine_global(body.uniform_refinements);
         for (unsigned int pass = 0; pass < body.refinement_passes; ++pass)
-          refine_at(sides_at_faults, body.refine_where, *refined);
+          refine_at(sides_at_faults,
+                    body.refine_where,
+                    body.refinement_rows,
+                    *refined);
       }
     if (has_shapes(*refined))
       {

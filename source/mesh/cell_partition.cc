@@ -5,8 +5,8 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <metis.h>
+#include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/cell_partition.h>
-#include <stickslip/mesh/place_finder.h>
 
 #include <algorithm>
 #include <iterator>

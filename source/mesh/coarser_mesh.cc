@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/coarser_mesh.h>
-#include <stickslip/mesh/place_finder.h>
 
 #include <algorithm>
 

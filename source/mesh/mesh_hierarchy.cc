@@ -143,7 +143,8 @@ namespace StickSlip
     const std::vector<CoarseBody<dim>> &coarse_bodies,
     const FaultTopology                &topology,
     const MPI_Comm                     &communicator,
-    const unsigned int                  min_nodes_per_process)
+    const unsigned int                  min_nodes_per_process,
+    const unsigned int                  n_components)
     : faults(topology)
   {
     AssertDimension(coarse_bodies.size(), topology.body_names().size());
@@ -203,7 +204,8 @@ namespace StickSlip
                  std::clamp<std::size_t>(owners.size() / min_nodes_per_process,
                                          1,
                                          n_processes));
-        levels.emplace_back(meshes[l], topology, owners, communicator);
+        levels.emplace_back(
+          meshes[l], topology, owners, communicator, n_components);
         if (l == 0)
           check_plane_sides(levels.front(), topology);
       }

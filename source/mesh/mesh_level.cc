@@ -45,7 +45,8 @@ namespace StickSlip
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
     const FaultTopology                                     &topology,
     const std::vector<unsigned int>                         &node_owners,
-    const MPI_Comm                                          &communicator)
+    const MPI_Comm                                          &communicator,
+    const unsigned int                                       n_components)
     : bodies(bodies)
     , first_node{0}
     , global_numbers(node_owners.size())
@@ -76,7 +77,8 @@ namespace StickSlip
                              "' has no faces.");
       }
     strip_nodes = find_strip(topology);
-    nodes       = NodePartition(owned, find_ghosts(owned), dim, communicator);
+    nodes =
+      NodePartition(owned, find_ghosts(owned), n_components, communicator);
   }
 
 

@@ -5,8 +5,8 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <stickslip/algebra/index_set.h>
+#include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/nodal_prolongation.h>
-#include <stickslip/mesh/place_finder.h>
 
 #include <map>
 

@@ -3,7 +3,7 @@
 
 #include <deal.II/grid/manifold.h>
 
-#include <stickslip/mesh/fault_shape.h>
+#include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/red_refinement.h>
 
 #include <algorithm>

@@ -4,10 +4,10 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <stickslip/mesh/nodal_normals.h>
 #include <stickslip/mortar/dual_basis.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/face_overlap.h>
-#include <stickslip/mortar/nodal_normals.h>
 
 #include <cmath>
 #include <limits>

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/mesh/nodal_normals.h>
 #include <stickslip/mortar/fault_axes.h>
 #include <stickslip/mortar/fault_displacement.h>
-#include <stickslip/mortar/nodal_normals.h>
 
 #include <algorithm>
 #include <cmath>

@@ -50,19 +50,33 @@ namespace StickSlip
                const NodePartition                        &partition,
                const std::vector<types::global_dof_index> &nodes)
   {
-    std::vector<double> all(nodes.size() * dim);
+    const unsigned int  n_components = partition.n_components();
+    std::vector<double> all(nodes.size() * n_components);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (partition.owned().is_element(nodes[k]))
-        for (unsigned int d = 0; d < dim; ++d)
-          all[k * dim + d] =
-            values.local_element(partition.local_index(nodes[k]) * dim + d);
+        for (unsigned int d = 0; d < n_components; ++d)
+          all[k * n_components + d] = values.local_element(
+            partition.local_index(nodes[k]) * n_components + d);
     // All but one of the terms are zero.
     Utilities::MPI::sum(all, partition.communicator(), all);
     std::vector<Tensor<1, dim>> result(nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int d = 0; d < dim; ++d)
-        result[k][d] = all[k * dim + d];
+      for (unsigned int d = 0; d < n_components; ++d)
+        result[k][d] = all[k * n_components + d];
     return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  gather_displacements(const NodalVector                          &displacement,
+                       const NodePartition                        &partition,
+                       const std::vector<types::global_dof_index> &nodes)
+  {
+    return partition.n_components() < dim ?
+             std::vector<Tensor<1, dim>>(nodes.size()) :
+             gather_nodes<dim>(displacement, partition, nodes);
   }
 
 
@@ -77,9 +91,9 @@ namespace StickSlip
     for (unsigned int f = 0; f < sides.size(); ++f)
       {
         const auto gather = [&](const unsigned int side) {
-          return gather_nodes<dim>(displacement,
-                                   level.nodes,
-                                   level.surface(f, side).nodes);
+          return gather_displacements<dim>(displacement,
+                                           level.nodes,
+                                           level.surface(f, side).nodes);
         };
         result.push_back({gather(sides[f].slave), gather(sides[f].master)});
       }
@@ -123,6 +137,10 @@ namespace StickSlip
     const FaultSurface<dim> &,                                     \
     const NodalProlongation &);                                    \
   template std::vector<Tensor<1, dim>> gather_nodes<dim>(          \
+    const NodalVector &,                                           \
+    const NodePartition &,                                         \
+    const std::vector<types::global_dof_index> &);                 \
+  template std::vector<Tensor<1, dim>> gather_displacements<dim>(  \
     const NodalVector &,                                           \
     const NodePartition &,                                         \
     const std::vector<types::global_dof_index> &);                 \

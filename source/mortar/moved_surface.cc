@@ -3,7 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <stickslip/mesh/face_area.h>
+#include <stickslip/geometry/face_area.h>
 #include <stickslip/mortar/moved_surface.h>
 
 namespace StickSlip

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/mesh/nodal_normals.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/moved_surface.h>
-#include <stickslip/mortar/nodal_normals.h>
 #include <stickslip/mortar/secant_axes.h>
 
 #include <algorithm>

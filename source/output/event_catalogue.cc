@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/magnitude.h>
 #include <stickslip/output/event_catalogue.h>
 
 #include <algorithm>
@@ -26,6 +27,17 @@ namespace StickSlip
       return std::clamp((std::log(level) - from) / (to - from), 0., 1.);
     }
 
+
+
+    template <int dim>
+    std::vector<std::vector<double>>
+    rigidities_of(const std::vector<FaultLayout<dim>> &shapes)
+    {
+      std::vector<std::vector<double>> result;
+      for (const FaultLayout<dim> &shape : shapes)
+        result.push_back(shape.rigidity);
+      return result;
+    }
   } // namespace
 
 
@@ -38,6 +50,7 @@ namespace StickSlip
     const double                         start_slip_rate,
     const double                         end_fraction)
     : positions(shapes)
+    , rigidities(rigidities_of(shapes))
     , file(file_name)
     , start_slip_rate(start_slip_rate)
     , end_slip_rate(end_fraction * start_slip_rate)
@@ -48,10 +61,61 @@ namespace StickSlip
     memory.faults.resize(fault_names.size());
     for (unsigned int i = 0; i < fault_names.size(); ++i)
       memory.faults[i].name = fault_names[i];
-    file << "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
-            "mean_slip" +
-              positions.titles("nucleation");
+    file << header_of(columns());
     file.end_row();
+  }
+
+
+
+  template <int dim>
+  TableColumns
+  EventCatalogue<dim>::columns() const
+  {
+    const std::string area   = (dim == 2) ? "m" : "m^2";
+    TableColumns      result = {
+           {"fault", "", "name of the fault"},
+           {"start",
+            "s",
+            "time at which the mean slip rate rises above Event start slip rate, "
+                 "interpolated between steps"},
+           {"peak_time", "s", "time of the largest mean slip rate"},
+           {"end",
+            "s",
+            "time at which the mean slip rate falls below Event end fraction of "
+                 "that, interpolated; nan if it had not by the end of the run"},
+           {"peak_mean_slip_rate",
+            "m/s",
+            "largest mean over the area of contact of the magnitude of the slip "
+                 "rate"},
+           {"peak_slip_rate", "m/s", "largest slip rate of any node"},
+           {"mean_slip",
+            "m",
+            "growth from start to end of the mean over the area of contact of the "
+                 "first component of the slip"}};
+    for (const TableColumn &column : positions.columns(
+           "nucleation",
+           "the fastest node when the largest slip rate last rose above the "
+           "threshold before the event"))
+      result.push_back(column);
+    result.push_back({"moment",
+                      dim == 2 ? "N" : "N m",
+                      std::string("integral over the area of contact of the "
+                                  "rigidity times the slip from start to end, "
+                                  "in magnitude") +
+                        (dim == 2 ? "; for 1 m of the third dimension" : "")});
+    result.push_back({"stress_drop",
+                      "Pa",
+                      "mean fall of the shear traction from start to end, "
+                      "weighted by the slip"});
+    result.push_back(
+      {"ruptured_area",
+       area,
+       "area of the nodes that were faster than Event start slip "
+       "rate after a step of the event"});
+    if (dim == 3)
+      result.push_back(
+        {"magnitude", "", "moment magnitude, (log10(moment) - 9.1) / 1.5"});
+    return result;
   }
 
 
@@ -63,19 +127,21 @@ namespace StickSlip
   {
     AssertDimension(faults.size(), memory.faults.size());
     for (unsigned int i = 0; i < memory.faults.size(); ++i)
-      add(i, time, fault_statistics(faults[i]));
+      add(i, time, faults[i]);
   }
 
 
 
   template <int dim>
   void
-  EventCatalogue<dim>::add(const unsigned int     fault,
-                           const double           time,
-                           const FaultStatistics &now)
+  EventCatalogue<dim>::add(const unsigned int        fault,
+                           const double              time,
+                           const FaultSnapshot<dim> &snapshot)
   {
     EventState::Fault     &record = memory.faults[fault];
     const FaultStatistics &past   = record.statistics;
+    const FaultStatistics  now    = fault_statistics(snapshot);
+    const FaultMotion      motion(snapshot);
 
     // The value a crossing of the given level has, by the part of the step.
     const auto interpolate =
@@ -86,6 +152,14 @@ namespace StickSlip
           crossing(past.mean_slip_rate, now.mean_slip_rate, level);
         return before + part * (after - before);
       };
+    const auto motion_at = [&](const double level) {
+      return record.has_past ? FaultMotion(record.motion,
+                                           motion,
+                                           crossing(past.mean_slip_rate,
+                                                    now.mean_slip_rate,
+                                                    level)) :
+                               motion;
+    };
 
     const bool was_fast =
       record.has_past && past.max_slip_rate > start_slip_rate;
@@ -101,12 +175,23 @@ namespace StickSlip
         record.start_slip =
           interpolate(start_slip_rate, past.mean_slip, now.mean_slip);
         record.event.nucleation = record.nucleation;
+        record.start_motion     = motion_at(start_slip_rate);
+        record.has_ruptured.assign(snapshot.points.size(), 0);
       }
 
     if (record.is_open)
       {
         SlipEvent &event = record.event;
-        event.mean_slip  = now.mean_slip - record.start_slip;
+        for (unsigned int k = 0; k < record.has_ruptured.size(); ++k)
+          if (magnitude(snapshot.slip_rate[k]) > start_slip_rate)
+            record.has_ruptured[k] = 1;
+        const bool ends = now.mean_slip_rate < end_slip_rate;
+        event.source    = EventSource(record.start_motion,
+                                   ends ? motion_at(end_slip_rate) : motion,
+                                   snapshot.weights,
+                                   rigidities[fault],
+                                   record.has_ruptured);
+        event.mean_slip = now.mean_slip - record.start_slip;
         event.peak_slip_rate =
           std::max(event.peak_slip_rate, now.max_slip_rate);
         if (now.mean_slip_rate > event.peak_mean_slip_rate)
@@ -114,7 +199,7 @@ namespace StickSlip
             event.peak_mean_slip_rate = now.mean_slip_rate;
             event.peak_time           = time;
           }
-        if (now.mean_slip_rate < end_slip_rate)
+        if (ends)
           {
             event.end = interpolate(end_slip_rate, record.time, time);
             event.mean_slip =
@@ -128,6 +213,7 @@ namespace StickSlip
     record.has_past   = true;
     record.time       = time;
     record.statistics = now;
+    record.motion     = motion;
   }
 
 
@@ -168,6 +254,10 @@ namespace StickSlip
          << event.peak_slip_rate << ',' << event.mean_slip;
     for (const double coordinate : event.nucleation)
       file << ',' << coordinate;
+    file << ',' << event.source.moment << ',' << event.source.stress_drop << ','
+         << event.source.ruptured_area;
+    if (dim == 3)
+      file << ',' << event.source.magnitude();
     file.end_row();
   }
 

@@ -29,7 +29,9 @@ namespace StickSlip
         const double weight = fault.weights[p];
         if (!(weight > 0))
           continue;
-        const double rate     = magnitude(fault.slip_rate[p]);
+        // Open sides pass each other without slipping.
+        const bool   is_open  = fault.may_open() && fault.gap[p] > 0;
+        const double rate     = is_open ? 0 : magnitude(fault.slip_rate[p]);
         const bool   is_first = (total_weight == 0);
 
         if (is_first || rate > statistics.max_slip_rate)

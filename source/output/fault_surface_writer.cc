@@ -7,88 +7,25 @@
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/output/fault_field_values.h>
 #include <stickslip/output/fault_surface_writer.h>
+#include <stickslip/output/vtu_file.h>
 
-#include <cstdint>
-#include <limits>
 #include <map>
-#include <sstream>
 
 namespace StickSlip
 {
   namespace
   {
-    /** VTK's numbers of the shapes of cells, by the number of their vertices.
-     */
-    constexpr std::array<std::uint8_t, 5> vtk_shapes = {{0, 0, 3, 5, 9}};
-
-
-
-    const std::string &
-    vtk_name(const double)
-    {
-      static const std::string name = "Float64";
-      return name;
-    }
-
-    const std::string &
-    vtk_name(const std::int64_t)
-    {
-      static const std::string name = "Int64";
-      return name;
-    }
-
-    const std::string &
-    vtk_name(const std::uint8_t)
-    {
-      static const std::string name = "UInt8";
-      return name;
-    }
-
-
-
-    /** One array, its bytes in text behind their number. */
-    template <typename Number>
-    void
-    write_array(std::ostream              &out,
-                const std::string         &name,
-                const unsigned int         n_components,
-                const std::vector<Number> &values,
-                const std::string         &units = "")
-    {
-      const std::uint64_t        n_bytes = values.size() * sizeof(Number);
-      std::vector<unsigned char> bytes(sizeof(n_bytes) + n_bytes);
-      std::copy_n(reinterpret_cast<const unsigned char *>(&n_bytes),
-                  sizeof(n_bytes),
-                  bytes.begin());
-      std::copy_n(reinterpret_cast<const unsigned char *>(values.data()),
-                  n_bytes,
-                  bytes.begin() + sizeof(n_bytes));
-      out << "        <DataArray type=\"" << vtk_name(Number()) << "\" Name=\""
-          << name << "\" NumberOfComponents=\"" << n_components
-          << "\" format=\"binary\">\n          "
-          << Utilities::encode_base64(bytes) << '\n';
-      if (!units.empty())
-        out << "          <InformationKey name=\"UNITS_LABEL\" "
-               "location=\"vtkDataArray\">"
-            << units << "</InformationKey>\n";
-      out << "        </DataArray>\n";
-    }
-
-
-
-    /** Points and cells of a file. */
+    /** Nodes and faces of a fault as a grid. */
     template <int dim>
-    struct Grid
+    struct FaultGrid
     {
+      VtuGrid grid;
+
       /** The node of each point. */
       std::vector<unsigned int> nodes;
-      /** Three coordinates each. */
-      std::vector<double>       points;
-      std::vector<std::int64_t> connectivity, offsets;
-      std::vector<std::uint8_t> shapes;
 
-      Grid(const FaultSurface<dim>       &surface,
-           const std::vector<Point<dim>> &positions)
+      FaultGrid(const FaultSurface<dim>       &surface,
+                const std::vector<Point<dim>> &positions)
       {
         AssertDimension(positions.size(), surface.points.size());
         for (unsigned int k = 0; k < positions.size(); ++k)
@@ -99,6 +36,7 @@ namespace StickSlip
         for (unsigned int f = 0; f < surface.faces.size(); ++f)
           {
             const auto corners = surface.face_vertices(positions, f);
+            std::vector<std::int64_t> points;
             for (const unsigned int v : vertices_around(surface, f))
               {
                 unsigned int point = surface.faces[f][v];
@@ -111,10 +49,9 @@ namespace StickSlip
                       add_point(point, corners[v]);
                     point = entry.first->second;
                   }
-                connectivity.push_back(point);
+                points.push_back(point);
               }
-            offsets.push_back(connectivity.size());
-            shapes.push_back(vtk_shapes[surface.n_vertices_of(f)]);
+            grid.add_cell(dim - 1, points);
           }
       }
 
@@ -135,8 +72,7 @@ namespace StickSlip
       add_point(const unsigned int node, const Point<dim> &position)
       {
         nodes.push_back(node);
-        for (unsigned int d = 0; d < 3; ++d)
-          points.push_back(d < dim ? position[d] : 0.);
+        grid.add_point(position);
       }
     };
 
@@ -164,59 +100,30 @@ namespace StickSlip
                   const FaultSnapshot<dim>      &fault,
                   const std::vector<FaultField> &fields)
     {
-      const Grid<dim>    grid(shape.surface, fault.positions);
-      std::ostringstream out;
-      out.precision(std::numeric_limits<double>::max_digits10);
-      out << "<?xml version=\"1.0\"?>\n"
-             "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-             "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-             "  <UnstructuredGrid>\n"
-             "    <FieldData>\n"
-             "      <DataArray type=\"Float64\" Name=\"TIME\" "
-             "NumberOfTuples=\"1\" format=\"ascii\">"
-          << time
-          << "</DataArray>\n"
-             "    </FieldData>\n"
-             "    <Piece NumberOfPoints=\""
-          << grid.nodes.size() << "\" NumberOfCells=\"" << grid.shapes.size()
-          << "\">\n"
-             "      <Points>\n";
-      write_array(out, "Points", 3, grid.points);
-      out << "      </Points>\n"
-             "      <Cells>\n";
-      write_array(out, "connectivity", 1, grid.connectivity);
-      write_array(out, "offsets", 1, grid.offsets);
-      write_array(out, "types", 1, grid.shapes);
-      out << "      </Cells>\n"
-             "      <PointData>\n";
-      const auto write_axis = [&](const std::string &name,
-                                  const unsigned int number) {
-        write_array(out,
-                    name,
-                    3,
-                    grid.at_points(axis_of_nodes(shape.axes, number), 3));
+      const FaultGrid<dim> points(shape.surface, fault.positions);
+      VtuFile              file(points.grid, time, VtuFile::Precision::full);
+      file.add_names("fault_name", {fault.name});
+      const auto add_axis = [&](const std::string &name,
+                                const unsigned int number) {
+        file.add_point_data(
+          name, 3, points.at_points(axis_of_nodes(shape.axes, number), 3), "");
       };
       for (unsigned int i = 0; i + 1 < dim; ++i)
-        write_axis(dim == 2 ? "tangent" : "tangent_" + std::to_string(i + 1),
-                   i);
-      write_axis("normal", dim - 1);
+        add_axis(dim == 2 ? "tangent" : "tangent_" + std::to_string(i + 1), i);
+      add_axis("normal", dim - 1);
       for (const auto &[field, name] : fault_field_names())
         if (field == FaultField::contact_weight ||
             (field != FaultField::position && has_field(fields, field) &&
              has_values(fault, field)))
           {
             const FaultFieldValues of_nodes = field_values(fault, field);
-            write_array(out,
-                        name,
-                        of_nodes.n_components,
-                        grid.at_points(of_nodes.values, of_nodes.n_components),
-                        of_nodes.units);
+            file.add_point_data(name,
+                                of_nodes.n_components,
+                                points.at_points(of_nodes.values,
+                                                 of_nodes.n_components),
+                                of_nodes.units);
           }
-      out << "      </PointData>\n"
-             "    </Piece>\n"
-             "  </UnstructuredGrid>\n"
-             "</VTKFile>\n";
-      return out.str();
+      return file.text();
     }
   } // namespace
 

@@ -38,7 +38,7 @@ namespace StickSlip
         for (const Point<dim> &point : shape.surface.points)
           {
             positions.back().emplace_back();
-            for (unsigned int d = 0; d < (are_level ? 1 : dim); ++d)
+            for (unsigned int d = 0; d < (are_level ? dim - 1 : dim); ++d)
               positions.back().back().push_back(point[d]);
           }
         if (!are_level)
@@ -49,16 +49,20 @@ namespace StickSlip
 
 
   template <int dim>
-  std::string
-  NodePositions<dim>::titles(const std::string &name) const
+  TableColumns
+  NodePositions<dim>::columns(const std::string &name,
+                              const std::string &what) const
   {
-    std::vector<std::string> columns = {"x"};
-    if (!are_level)
-      columns = dim == 2 ? std::vector<std::string>{"x", "y", "arc_length"} :
-                           std::vector<std::string>{"x", "y", "z"};
-    std::string result;
-    for (const std::string &column : columns)
-      result += ',' + name + '_' + column;
+    const std::string axes = "xyz";
+    TableColumns      result;
+    for (unsigned int d = 0; d < (are_level ? dim - 1 : dim); ++d)
+      result.push_back(
+        {name + '_' + axes[d],
+         "m",
+         std::string(1, axes[d]) + " of the reference position of " + what});
+    if (dim == 2 && !are_level)
+      result.push_back(
+        {name + "_arc_length", "m", "way along the fault to " + what});
     return result;
   }
 

@@ -34,13 +34,42 @@ namespace StickSlip
     : positions(shapes)
     , file(file_name)
   {
-    file << "fault,opens,peak_time,closes,largest_gap,largest_open_area" +
-              positions.titles("begins") + positions.titles("widest");
+    file << header_of(columns());
     file.end_row();
     for (const FaultLayout<dim> &shape : shapes)
       thresholds.push_back(threshold > 0 ? threshold :
                                            default_threshold * extent(shape));
     memory.faults.resize(shapes.size());
+  }
+
+
+
+  template <int dim>
+  TableColumns
+  OpeningCatalogue<dim>::columns() const
+  {
+    TableColumns result = {
+      {"fault", "", "name of the fault"},
+      {"opens",
+       "s",
+       "time at which the largest gap rises above Opening threshold, "
+       "interpolated between steps"},
+      {"peak_time", "s", "time of the largest gap"},
+      {"closes",
+       "s",
+       "time at which the largest gap falls below half of that, interpolated; "
+       "nan if it had not by the end of the run"},
+      {"largest_gap", "m", "largest gap of any node"},
+      {"largest_open_area",
+       dim == 2 ? "m" : "m^2",
+       "largest area of open nodes after a step of the opening"}};
+    const auto add = [&](const std::string &name, const std::string &what) {
+      for (const TableColumn &column : positions.columns(name, what))
+        result.push_back(column);
+    };
+    add("begins", "the node with the largest gap when the opening begins");
+    add("widest", "the node with the largest gap of all");
+    return result;
   }
 
 

@@ -60,6 +60,8 @@ namespace StickSlip
     is_result(const std::filesystem::path &name)
     {
       static const std::set<std::string> names = {"time_series.csv",
+                                                  "energy.csv",
+                                                  "columns.csv",
                                                   "events.csv",
                                                   "openings.csv",
                                                   "faults.h5",
@@ -68,7 +70,8 @@ namespace StickSlip
                                                   "parameters.prm",
                                                   "summary.txt",
                                                   "checkpoints",
-                                                  "run.png"};
+                                                  "run.png",
+                                                  "run.html"};
       return names.count(name.filename().string()) > 0 || is_field_file(name);
     }
   } // namespace

@@ -14,7 +14,9 @@ namespace StickSlip
                 CadenceParameters &cadence,
                 const std::string &what_happens,
                 const std::string &the_last_ones,
-                const std::string &things)
+                const std::string &things,
+                const std::string &automatic_slip,
+                const std::string &automatic_interval)
     {
       add_number(prm,
                  name + " slip rate factor",
@@ -27,21 +29,25 @@ namespace StickSlip
       add_number(prm,
                  name + " slip interval",
                  cadence.slip_interval,
-                 NumberRange().at_least(0),
+                 NumberRange().at_least(0).in("m"),
                  what_happens +
                    " when the largest slip rate would have made the fault slip "
-                   "this far since then, in m; 0: not for this reason.");
+                   "this far since then, in m; 0: not for this reason. auto: " +
+                   automatic_slip +
+                   " of the largest prescribed velocity times 'End time', if "
+                   "that is more.");
       add_number(prm,
                  name + " shortest interval",
                  cadence.shortest_interval,
-                 NumberRange().at_least(0),
+                 NumberRange().at_least(0).in("s"),
                  "Shortest time between two " + things + ", in s.");
       add_number(prm,
                  name + " longest interval",
                  cadence.longest_interval,
-                 NumberRange().above(0),
+                 NumberRange().above(0).in("s"),
                  "Longest time between two " + things +
-                   ", in s; exceeded only by a longer time step.");
+                   ", in s; exceeded only by a longer time step. auto: " +
+                   automatic_interval + ".");
     }
   } // namespace
 
@@ -87,7 +93,9 @@ namespace StickSlip
                 fault_cadence,
                 "A record is added to faults.h5",
                 "the last one",
-                "records in faults.h5");
+                "records in faults.h5",
+                "1e-5 m, or, in runs of more than 1000 s, 1/2000",
+                "0.5 s; in runs of more than 1000 s 1/2000 of 'End time'");
     add_switch(prm,
                "Write fault surfaces",
                write_fault_surfaces,
@@ -112,11 +120,13 @@ namespace StickSlip
                 volume_cadence,
                 "VTU files are written",
                 "the last ones",
-                "sets of VTU files");
+                "sets of VTU files",
+                "1e-4 m, or, in runs of more than 1000 s, 1/100",
+                "5 s; in runs of more than 1000 s 1/200 of 'End time'");
     add_number(prm,
                "Event start slip rate",
                event_start_slip_rate,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("m/s"),
                "An event begins when the mean slip rate of a fault rises above "
                "this, in m/s; 0: twice the largest prescribed velocity.");
     add_number(prm,
@@ -128,21 +138,21 @@ namespace StickSlip
     add_number(prm,
                "Opening threshold",
                opening_threshold,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("m"),
                "An opening begins when the largest gap of a fault rises above "
                "this, in m, and ends when it falls below half of it; 0: 1e-8 "
                "of the fault's extent.");
     add_number(prm,
                "Checkpoint interval",
                checkpoint_interval,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("s"),
                "A checkpoint is written, from which '--restart' goes on, when "
                "the simulated time passes a multiple of this, in s; 0: not for "
                "this reason.");
     add_number(prm,
                "Checkpoint wall time",
                checkpoint_wall_time,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("s"),
                "A checkpoint is written when the program has run for this long "
                "since the last one, in s; 0: not for this reason.");
     add_count(prm,

@@ -37,15 +37,23 @@ namespace StickSlip
 
 
   void
-  Progress::update(const double new_time,
-                   const double new_step_size,
-                   const double new_slip_rate)
+  Progress::update(const double       new_time,
+                   const double       new_step_size,
+                   const double       new_slip_rate,
+                   const unsigned int new_n_events)
   {
     if (!has_started)
       {
         // A run may begin later than at zero.
-        start_time  = new_time - new_step_size;
-        has_started = true;
+        start_time       = new_time - new_step_size;
+        n_earlier_events = n_events = new_n_events;
+        has_started                 = true;
+      }
+    if (new_n_events > n_events)
+      {
+        n_events       = new_n_events;
+        time_of_event  = new_time;
+        clock_at_event = clock();
       }
     time       = new_time;
     step_size  = new_step_size;
@@ -88,7 +96,6 @@ namespace StickSlip
   {
     last_print                   = clock();
     is_printed                   = true;
-    const double elapsed         = last_print - start_of_run;
     const double duration_of_run = end_time - start_time;
     const double done =
       duration_of_run > 0 ?
@@ -101,8 +108,7 @@ namespace StickSlip
          << " s  step = " << std::scientific << std::setprecision(1)
          << step_size << " s  largest slip rate = " << std::setprecision(2)
          << slip_rate << " m/s";
-    if (done > 0 && done < 1)
-      line << "  time left " << duration(elapsed * (1. - done) / done);
+    line << time_left(last_print);
 
     std::string text = line.str();
     if (is_terminal)
@@ -116,6 +122,30 @@ namespace StickSlip
       }
     else
       out << text << '\n' << std::flush;
+  }
+
+
+
+  std::string
+  Progress::time_left(const double now) const
+  {
+    if (time <= start_time || time >= end_time)
+      return "";
+    const auto at_pace = [this](const double wall, const double simulated) {
+      return simulated > 0. ? wall / simulated * (end_time - time) : 0.;
+    };
+    if (n_events == n_earlier_events)
+      return "  time left at least " +
+             duration(at_pace(now - start_of_run, time - start_time));
+    // The present cycle is under way: its time does not come again, but what
+    // is left takes the pace of it at least.
+    const double until_end = (clock_at_event - start_of_run) /
+                             (time_of_event - start_time) *
+                             (end_time - time_of_event);
+    return "  time left " +
+           duration(
+             std::max(until_end - (now - clock_at_event),
+                      at_pace(now - clock_at_event, time - time_of_event)));
   }
 
 

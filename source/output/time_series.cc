@@ -10,35 +10,48 @@
 
 namespace StickSlip
 {
-  namespace
+  template <int dim>
+  TableColumns
+  TimeSeries<dim>::columns(const std::vector<FaultSnapshot<dim>> &faults)
   {
-    template <int dim>
-    std::string
-    titles(const std::vector<FaultSnapshot<dim>> &faults)
-    {
-      std::string result =
-        "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
-        "multigrid_cycles";
-      for (const FaultSnapshot<dim> &fault : faults)
-        {
-          const auto add = [&](const std::string &column) {
-            result += ',' + fault.name + '.' + column;
-          };
-          for (const char *column : {"max_slip_rate",
-                                     "mean_slip_rate",
-                                     "min_slip_rate",
-                                     "mean_slip",
-                                     "mean_state",
-                                     "mean_shear_traction"})
-            add(column);
-          if (fault.may_open() || !std::isnan(fault.largest_gap))
-            add("largest_gap");
-          if (fault.may_open())
-            add("open_area");
-        }
-      return result;
-    }
-  } // namespace
+    TableColumns result = {
+      {"step", "", "number of accepted steps so far"},
+      {"time", "s", "at the end of the step"},
+      {"step_size", "s", "length of the step"},
+      {"rate_state_iterations",
+       "",
+       "alternations of rate problem and state in the step"},
+      {"tnnmg_iterations", "", "iterations of all rate problems of the step"},
+      {"multigrid_cycles", "", "multigrid cycles of these"}};
+    const std::string mean = "mean over the area of contact of ";
+    for (const FaultSnapshot<dim> &fault : faults)
+      {
+        const auto add = [&](const std::string &title,
+                             const std::string &unit,
+                             const std::string &meaning) {
+          result.push_back({fault.name + '.' + title, unit, meaning});
+        };
+        add("max_slip_rate",
+            "m/s",
+            "magnitude of the slip rate at the fastest node");
+        add("mean_slip_rate", "m/s", mean + "the magnitude of the slip rate");
+        add("min_slip_rate",
+            "m/s",
+            "magnitude of the slip rate at the slowest node");
+        add("mean_slip", "m", mean + "the first component of the slip");
+        add("mean_state", "s", mean + "the state theta");
+        add("mean_shear_traction",
+            "Pa",
+            mean + "the first component of the shear traction");
+        if (fault.may_open())
+          add("largest_gap", "m", "largest gap of any node");
+        else if (!std::isnan(fault.largest_gap))
+          add("largest_gap", "m", "largest gap between the sides so far");
+        if (fault.may_open())
+          add("open_area", dim == 2 ? "m" : "m^2", "area of the open nodes");
+      }
+    return result;
+  }
 
 
 
@@ -48,7 +61,7 @@ namespace StickSlip
     : file(file_name)
     , n_faults(faults.size())
   {
-    file << titles(faults);
+    file << header_of(columns(faults));
     file.end_row();
   }
 

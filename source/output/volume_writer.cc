@@ -1,252 +1,265 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/quadrature.h>
 #include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/vector.h>
-#include <deal.II/numerics/data_out.h>
 
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/output/volume_writer.h>
-
-#include <list>
-#include <sstream>
+#include <stickslip/output/vtu_file.h>
 
 namespace StickSlip
 {
   namespace
   {
-    /** The part of all nodal values that belongs to one body, hanging nodes
-     * included, in the numbers of a vector-valued DoFHandler. */
+    /** The places of a deal.II cell's vertices in the order of VTK. */
     template <int dim>
-    Vector<double>
-    values_of_body(const MeshLevel<dim>      &level,
-                   const unsigned int         body,
-                   const DoFHandler<dim>     &vector_dofs,
-                   const std::vector<double> &nodal)
+    std::vector<unsigned int>
+    vtk_order(const ReferenceCell &shape)
     {
-      const DoFHandler<dim> &scalar_dofs = level.bodies[body]->dof_handler();
-
-      Vector<double>                       values(vector_dofs.n_dofs());
-      std::vector<types::global_dof_index> scalar(
-        scalar_dofs.get_fe().n_dofs_per_cell());
-      std::vector<types::global_dof_index> vector(
-        vector_dofs.get_fe().n_dofs_per_cell());
-      auto scalar_cell = scalar_dofs.begin_active();
-      for (const auto &cell : vector_dofs.active_cell_iterators())
+      if (!shape.is_hyper_cube())
         {
-          scalar_cell->get_dof_indices(scalar);
-          cell->get_dof_indices(vector);
-          for (unsigned int i = 0; i < vector.size(); ++i)
-            {
-              const auto component =
-                vector_dofs.get_fe().system_to_component_index(i);
-              double value = 0;
-              for (const auto &node :
-                   level.resolve(body, scalar[component.second]))
-                value += node.second *
-                         nodal[std::size_t(node.first) * dim + component.first];
-              values[vector[i]] = value;
-            }
-          ++scalar_cell;
+          std::vector<unsigned int> order(shape.n_vertices());
+          for (unsigned int v = 0; v < order.size(); ++v)
+            order[v] = v;
+          return order;
         }
-      return values;
+      return dim == 2 ? std::vector<unsigned int>{0, 1, 3, 2} :
+                        std::vector<unsigned int>{0, 1, 3, 2, 4, 5, 7, 6};
     }
 
 
 
-    /** The strain of each cell's centre, in the order of the cells. */
+    /** All bodies as one grid: the nodes of each, hanging ones included, in the
+     * order of its mesh, and its cells. */
     template <int dim>
-    std::vector<SymmetricTensor<2, dim>>
-    cell_strains(const DoFHandler<dim> &dofs,
-                 const Vector<double>  &displacement)
+    struct VolumeGrid
     {
-      const Point<dim> centre =
-        dofs.get_fe().reference_cell().template barycenter<dim>();
-      FEValues<dim>                        at_centre(dofs.get_fe(),
-                              Quadrature<dim>(centre),
-                              update_gradients);
-      const FEValuesExtractors::Vector     components(0);
-      std::vector<SymmetricTensor<2, dim>> strain(1);
-      std::vector<SymmetricTensor<2, dim>> strains;
-      for (const auto &cell : dofs.active_cell_iterators())
-        {
-          at_centre.reinit(cell);
-          at_centre[components].get_function_symmetric_gradients(displacement,
-                                                                 strain);
-          strains.push_back(strain[0]);
-        }
+      const MeshLevel<dim> &level;
+      VtuGrid               grid;
+
+      /** The first point of each body, and the number of all. */
+      std::vector<std::size_t> first_point = {0};
+
+      explicit VolumeGrid(const MeshLevel<dim> &level)
+        : level(level)
+      {
+        for (const auto &body : level.bodies)
+          {
+            const DoFHandler<dim>          &dofs = body->dof_handler();
+            std::vector<Point<dim>>         points(dofs.n_dofs());
+            const std::vector<unsigned int> order =
+              vtk_order<dim>(dofs.get_fe().reference_cell());
+            for (const auto &cell : dofs.active_cell_iterators())
+              {
+                std::vector<std::int64_t> vertices;
+                for (const unsigned int v : order)
+                  {
+                    const auto dof = cell->vertex_dof_index(v, 0);
+                    points[dof]    = cell->vertex(v);
+                    vertices.push_back(first_point.back() + dof);
+                  }
+                grid.add_cell(dim, vertices);
+              }
+            for (const Point<dim> &point : points)
+              grid.add_point(point);
+            first_point.push_back(grid.n_points());
+          }
+      }
+
+      /** Vectors with three components at all points, from values of nodes;
+       * one component a node is that out of the plane. */
+      std::vector<double>
+      at_points(const std::vector<double> &nodal) const
+      {
+        const unsigned int  n_components = level.nodes.n_components();
+        const unsigned int  first        = (n_components == 1 ? 2 : 0);
+        std::vector<double> values(3 * grid.n_points());
+        for (unsigned int body = 0; body < level.bodies.size(); ++body)
+          for (std::size_t point = first_point[body];
+               point < first_point[body + 1];
+               ++point)
+            for (const auto &[node, factor] :
+                 level.resolve(body, point - first_point[body]))
+              for (unsigned int c = 0; c < n_components; ++c)
+                values[3 * point + first + c] +=
+                  factor * nodal[std::size_t(node) * n_components + c];
+        return values;
+      }
+
+      /** Call @p action with the number of each body and its cells, in the
+       * order of the grid. */
+      template <typename Action>
+      void
+      for_each_cell(const Action &action) const
+      {
+        for (unsigned int body = 0; body < level.bodies.size(); ++body)
+          for (const auto &cell :
+               level.bodies[body]->dof_handler().active_cell_iterators())
+            action(body, cell);
+      }
+    };
+
+
+
+    /** The strain of each cell's centre. @p displacement: of the points. */
+    template <int dim>
+    std::vector<SymmetricTensor<2, 3>>
+    cell_strains(const VolumeGrid<dim>     &points,
+                 const std::vector<double> &displacement)
+    {
+      std::vector<SymmetricTensor<2, 3>>   strains;
+      std::unique_ptr<FEValues<dim>>       at_centre;
+      std::vector<types::global_dof_index> dofs;
+      unsigned int                         last = numbers::invalid_unsigned_int;
+      points.for_each_cell([&](const unsigned int body, const auto &cell) {
+        if (body != last)
+          {
+            const auto &fe = cell->get_fe();
+            at_centre      = std::make_unique<FEValues<dim>>(
+              fe,
+              Quadrature<dim>(fe.reference_cell().template barycenter<dim>()),
+              update_gradients);
+            dofs.resize(fe.n_dofs_per_cell());
+            last = body;
+          }
+        at_centre->reinit(cell);
+        cell->get_dof_indices(dofs);
+        Tensor<2, 3> gradient;
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              gradient[c][d] +=
+                displacement[3 * (points.first_point[body] + dofs[i]) + c] *
+                at_centre->shape_grad(i, 0)[d];
+        strains.push_back(symmetrize(gradient));
+      });
       return strains;
+    }
+
+
+
+    /** Entries of tensors of the cells, each as numbers by the name with the
+     * axes: those that need not be zero. */
+    template <int dim>
+    void
+    add_tensors(VtuFile                                  &file,
+                const std::string                        &name,
+                const std::vector<SymmetricTensor<2, 3>> &tensors,
+                const std::string                        &units,
+                const bool                                out_of_plane)
+    {
+      const std::string axes = "xyz";
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = c; d < 3; ++d)
+          {
+            const bool in_axes = d < dim;
+            if (out_of_plane ? (in_axes || c == d) :
+                               !(in_axes || (c == d && name == "stress")))
+              continue;
+            std::vector<double> values;
+            values.reserve(tensors.size());
+            for (const SymmetricTensor<2, 3> &tensor : tensors)
+              values.push_back(tensor[c][d]);
+            file.add_cell_data(name + "_" + axes[c] + axes[d],
+                               1,
+                               values,
+                               units);
+          }
     }
 
 
 
     /** Hooke's law for each cell. */
     template <int dim>
-    std::vector<SymmetricTensor<2, dim>>
-    cell_stresses(const DoFHandler<dim>                      &dofs,
-                  const std::vector<SymmetricTensor<2, dim>> &strains,
-                  const VolumeMaterial<dim>                  &material)
+    std::vector<SymmetricTensor<2, 3>>
+    cell_stresses(const VolumeGrid<dim>                    &points,
+                  const std::vector<SymmetricTensor<2, 3>> &strains,
+                  const std::vector<VolumeMaterial<dim>>   &materials)
     {
-      std::vector<SymmetricTensor<2, dim>> stresses;
-      for (const auto &cell : dofs.active_cell_iterators())
-        {
-          const SymmetricTensor<2, dim> &strain =
-            strains[cell->active_cell_index()];
-          const std::pair<double, double> lame =
-            material.lame_parameters(cell->center());
-          stresses.push_back(2. * lame.second * strain +
-                             lame.first * trace(strain) *
-                               unit_symmetric_tensor<dim>());
-        }
+      std::vector<SymmetricTensor<2, 3>> stresses;
+      points.for_each_cell([&](const unsigned int body, const auto &cell) {
+        const SymmetricTensor<2, 3>    &strain = strains[stresses.size()];
+        const std::pair<double, double> lame =
+          materials[body].lame_parameters(cell->center());
+        stresses.push_back(2. * lame.second * strain +
+                           lame.first * trace(strain) *
+                             unit_symmetric_tensor<3>());
+      });
       return stresses;
     }
 
 
 
-    /** Collects the fields of one body. */
     template <int dim>
-    class BodyFields
+    std::string
+    text_of_volume(const double                            time,
+                   const MeshLevel<dim>                   &level,
+                   const VolumeNodalValues                &nodal,
+                   const std::vector<VolumeMaterial<dim>> &materials,
+                   const std::vector<std::string>         &body_names,
+                   const std::vector<VolumeField>         &wanted)
     {
-    public:
-      BodyFields(DataOut<dim>         &data_out,
-                 const MeshLevel<dim> &level,
-                 const unsigned int    body)
-        : data_out(data_out)
-        , level(level)
-        , body(body)
-        , dofs(level.bodies[body]->triangulation())
-      {
-        dofs.distribute_dofs(
-          FESystem<dim>(level.bodies[body]->dof_handler().get_fe(), dim));
-        data_out.attach_dof_handler(dofs);
-      }
+      const VolumeGrid<dim> points(level);
+      VtuFile               file(points.grid, time, VtuFile::Precision::simple);
+      file.add_names("body_names", body_names);
 
-      /** @p nodal: the values of all nodes of all bodies. */
-      Vector<double>
-      of_body(const std::vector<double> &nodal) const
-      {
-        return values_of_body(level, body, dofs, nodal);
-      }
-
-      const DoFHandler<dim> &
-      dof_handler() const
-      {
-        return dofs;
-      }
-
-      void
-      add_vector(const std::string &name, const Vector<double> &values)
-      {
-        data_out.add_data_vector(
-          values,
-          std::vector<std::string>(dim, name),
-          DataOut<dim>::type_dof_data,
-          std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
-      }
-
-      /** One number a cell. */
-      void
-      add_numbers(const std::string                                     &name,
-                  const std::function<double(const unsigned int number,
-                                             const Point<dim>  &centre)> &value)
-      {
-        Vector<double> values(dofs.get_triangulation().n_active_cells());
-        for (const auto &cell : dofs.active_cell_iterators())
-          values[cell->active_cell_index()] =
-            value(cell->active_cell_index(), cell->center());
-        cell_values.push_back(std::move(values));
-        data_out.add_data_vector(cell_values.back(),
-                                 name,
-                                 DataOut<dim>::type_cell_data);
-      }
-
-      /** Entries c <= d, each as numbers by the name with the axes. */
-      void
-      add_tensors(const std::string                          &name,
-                  const std::vector<SymmetricTensor<2, dim>> &tensors)
-      {
-        const std::string axes = "xyz";
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = c; d < dim; ++d)
-            add_numbers(name + "_" + axes[c] + axes[d],
-                        [&](const unsigned int number, const Point<dim> &) {
-                          return tensors[number][c][d];
-                        });
-      }
-
-      /** The patches stay; what they were made from goes with this object. */
-      void
-      finish()
-      {
-        data_out.build_patches();
-        data_out.clear_input_data_references();
-      }
-
-    private:
-      DataOut<dim>             &data_out;
-      const MeshLevel<dim>     &level;
-      const unsigned int        body;
-      DoFHandler<dim>           dofs;
-      std::list<Vector<double>> cell_values;
-    };
-
-
-
-    template <int dim>
-    void
-    build_patches(DataOut<dim>                   &data_out,
-                  const MeshLevel<dim>           &level,
-                  const unsigned int              number,
-                  const VolumeNodalValues        &nodal,
-                  const VolumeMaterial<dim>      &material,
-                  const std::vector<VolumeField> &wanted)
-    {
-      BodyFields<dim> body(data_out, level, number);
-      // Objects that must live until the patches are built.
-      Vector<double> displacement, velocity, acceleration;
+      std::vector<double> displacement;
       if (!nodal.displacement.empty())
-        displacement = body.of_body(nodal.displacement);
+        displacement = points.at_points(nodal.displacement);
       if (has_field(wanted, VolumeField::displacement))
-        body.add_vector("displacement", displacement);
+        file.add_point_data("displacement", 3, displacement, "m");
       if (has_field(wanted, VolumeField::velocity))
-        {
-          velocity = body.of_body(nodal.velocity);
-          body.add_vector("velocity", velocity);
-        }
+        file.add_point_data("velocity",
+                            3,
+                            points.at_points(nodal.velocity),
+                            "m/s");
       if (has_field(wanted, VolumeField::acceleration))
-        {
-          acceleration = body.of_body(nodal.acceleration);
-          body.add_vector("acceleration", acceleration);
-        }
+        file.add_point_data("acceleration",
+                            3,
+                            points.at_points(nodal.acceleration),
+                            "m/s^2");
 
       const bool with_stress = has_field(wanted, VolumeField::stress),
                  with_strain = has_field(wanted, VolumeField::strain);
       if (with_stress || with_strain)
         {
-          const std::vector<SymmetricTensor<2, dim>> strains =
-            cell_strains(body.dof_handler(), displacement);
+          const bool out_of_plane = level.nodes.n_components() == 1;
+          const std::vector<SymmetricTensor<2, 3>> strains =
+            cell_strains(points, displacement);
           if (with_stress)
-            body.add_tensors(
-              "stress", cell_stresses(body.dof_handler(), strains, material));
+            add_tensors<dim>(file,
+                             "stress",
+                             cell_stresses(points, strains, materials),
+                             "Pa",
+                             out_of_plane);
           if (with_strain)
-            body.add_tensors("strain", strains);
+            add_tensors<dim>(file, "strain", strains, "1", out_of_plane);
         }
-      if (has_field(wanted, VolumeField::body))
-        body.add_numbers("body", [&](const unsigned int, const Point<dim> &) {
-          return number;
+      const auto add_numbers = [&](const std::string &name,
+                                   const std::string &units,
+                                   const auto        &value) {
+        std::vector<double> values;
+        points.for_each_cell([&](const unsigned int body, const auto &cell) {
+          values.push_back(value(body, cell->center()));
         });
+        file.add_cell_data(name, 1, values, units);
+      };
+      if (has_field(wanted, VolumeField::body))
+        add_numbers("body",
+                    "",
+                    [](const unsigned int body, const Point<dim> &) {
+                      return body;
+                    });
       if (has_field(wanted, VolumeField::material))
-        for (const auto &[name, value] : material.fields)
-          body.add_numbers(name,
-                           [&value = value](const unsigned int,
-                                            const Point<dim> &centre) {
-                             return value(centre);
-                           });
-      body.finish();
+        for (unsigned int i = 0; i < materials[0].fields.size(); ++i)
+          add_numbers(materials[0].fields[i].name,
+                      materials[0].fields[i].units,
+                      [&](const unsigned int body, const Point<dim> &centre) {
+                        return materials[body].fields[i].value(centre);
+                      });
+      return file.text();
     }
   } // namespace
 
@@ -260,29 +273,14 @@ namespace StickSlip
                const MeshLevel<dim>                   &level,
                const VolumeNodalValues                &values,
                const std::vector<VolumeMaterial<dim>> &materials,
+               const std::vector<std::string>         &body_names,
                const std::vector<VolumeField>         &fields)
   {
-    // The patches of the first body, to which those of the others are added.
-    DataOut<dim> all;
-    for (unsigned int body = 0; body < level.bodies.size(); ++body)
-      {
-        DataOut<dim> one;
-        build_patches(
-          body == 0 ? all : one, level, body, values, materials[body], fields);
-        if (body > 0)
-          all.merge_patches(one);
-      }
-    DataOutBase::VtkFlags flags;
-    flags.time = time;
-    // A tenth larger than by the best compression, in a small part of its time.
-    flags.compression_level = decltype(flags.compression_level)::best_speed;
-    all.set_flags(flags);
-
     const std::string name =
       "solution_" + Utilities::int_to_string(number, 5) + ".vtu";
-    std::ostringstream content;
-    all.write_vtu(content);
-    write_file_atomically(directory + "/" + name, content.str());
+    write_file_atomically(
+      directory + "/" + name,
+      text_of_volume(time, level, values, materials, body_names, fields));
     return name;
   }
 

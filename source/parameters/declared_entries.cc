@@ -6,6 +6,7 @@
 
 #include <stickslip/parameters/declared_entries.h>
 #include <stickslip/parameters/field_pattern.h>
+#include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/stress_field.h>
 
 #include <sstream>
@@ -45,6 +46,21 @@ namespace StickSlip
 
 
 
+    // The unit that a description() names.
+    std::string
+    unit_in(const std::string &description)
+    {
+      const std::string before = NumberRange::before_unit;
+      const std::size_t place  = description.find(before);
+      if (place == std::string::npos)
+        return "";
+      const std::size_t begin = place + before.size();
+      return description.substr(
+        begin, description.find(NumberRange::after_unit, begin) - begin);
+    }
+
+
+
     void
     collect(const Tree                     &tree,
             const std::vector<std::string> &sections,
@@ -61,6 +77,7 @@ namespace StickSlip
             const std::string pattern =
               child.get<std::string>("pattern_description");
             entry.allowed = in_words(pattern);
+            entry.unit    = unit_in(pattern);
             entry.is_stress =
               pattern.find(StressField::each_component) != std::string::npos;
             entry.is_field =

@@ -21,6 +21,66 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    const std::string automatic = "auto";
+
+
+
+    /** Pattern of a number or the word that stands for one that follows. */
+    class AutomaticPattern : public Patterns::PatternBase
+    {
+    public:
+      explicit AutomaticPattern(const NumberRange &range)
+        : range(range)
+      {}
+
+      virtual bool
+      match(const std::string &text) const override
+      {
+        return text == automatic || range.match(text);
+      }
+
+      virtual std::string
+      description(const OutputStyle style) const override
+      {
+        return automatic + " or " + range.description(style);
+      }
+
+      virtual std::unique_ptr<PatternBase>
+      clone() const override
+      {
+        return std::make_unique<AutomaticPattern>(*this);
+      }
+
+    private:
+      const NumberRange range;
+    };
+  } // namespace
+
+
+
+  void
+  add_number(ParameterHandler  &prm,
+             const std::string &entry,
+             AutomaticNumber   &value,
+             const NumberRange &range,
+             const std::string &documentation)
+  {
+    prm.declare_entry(entry,
+                      value.follows() ? automatic : shortest_form(value),
+                      AutomaticPattern(range),
+                      documentation);
+    prm.add_action(entry, [&value](const std::string &text) {
+      if (text == automatic)
+        value.make_automatic();
+      else
+        value = NumberRange::values(text).front();
+    });
+  }
+
+
+
   void
   add_field(ParameterHandler  &prm,
             const std::string &entry,
@@ -29,7 +89,10 @@ namespace StickSlip
             const std::string &documentation)
   {
     field.describe(entry, range);
-    prm.declare_entry(entry, field.text(), FieldPattern(range), documentation);
+    prm.declare_entry(entry,
+                      field.text(),
+                      FieldPattern(range, field.is_optional()),
+                      documentation);
     prm.add_action(entry,
                    [&field](const std::string &text) { field.set(text); });
   }

@@ -5,10 +5,12 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/number_range.h>
+#include <stickslip/parameters/units.h>
 
 #include <array>
 #include <cmath>
 #include <regex>
+#include <utility>
 
 namespace StickSlip
 {
@@ -43,6 +45,33 @@ namespace StickSlip
       parser.DefineFun("erf", [](double x) { return std::erf(x); });
       parser.DefineFun("erfc", [](double x) { return std::erfc(x); });
     }
+
+
+
+    // muParser wants functions without data, one for each unit.
+    template <std::size_t unit>
+    double
+    in_unit(double x)
+    {
+      return x * units_in_expressions()[unit].second;
+    }
+
+
+
+    /** Define units as operators that follow a number. */
+    template <std::size_t... unit>
+    void
+    define_units(mu::Parser &parser, std::index_sequence<unit...>)
+    {
+      const auto define = [&parser](const std::size_t i,
+                                    double (*function)(double)) {
+        if (i < units_in_expressions().size())
+          parser.DefinePostfixOprt(units_in_expressions()[i].first, function);
+      };
+      (define(unit, &in_unit<unit>), ...);
+    }
+
+    constexpr std::size_t most_units = 64;
 
 
 
@@ -121,6 +150,8 @@ namespace StickSlip
           if (may_depend_on_time)
             parser.DefineVar("t", &variables[dim]);
           define_functions(parser);
+          AssertIndexRange(units_in_expressions().size(), most_units + 1);
+          define_units(parser, std::make_index_sequence<most_units>());
           parser.SetExpr(without_space_after_names(expression));
           // Most mistakes are found at the first evaluation only.
           parser.Eval();

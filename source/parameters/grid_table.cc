@@ -246,6 +246,8 @@ namespace StickSlip
     const auto coordinates = coordinates_of(table);
     sort_to_grid(table, coordinates);
     column_axes = table.axes;
+    for (unsigned int i = 0; i < column_axes.size(); ++i)
+      ends.emplace_back(coordinates[i].front(), coordinates[i].back());
     interpolation =
       column_axes.size() == 1 ? make_interpolation<1>(table, coordinates) :
       column_axes.size() == 2 ? make_interpolation<2>(table, coordinates) :
@@ -269,6 +271,23 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  bool
+  GridTable::covers(const Point<dim> &point) const
+  {
+    for (unsigned int i = 0; i < column_axes.size(); ++i)
+      if (point[column_axes[i]] < ends[i].first ||
+          point[column_axes[i]] > ends[i].second)
+        return false;
+    return true;
+  }
+
+
+
+  template bool
+  GridTable::covers(const Point<2> &) const;
+  template bool
+  GridTable::covers(const Point<3> &) const;
   template double
   GridTable::value(const Point<2> &) const;
   template double

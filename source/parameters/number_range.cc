@@ -4,30 +4,29 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/parameters/number_range.h>
+#include <stickslip/parameters/units.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
+#include <optional>
 
 namespace StickSlip
 {
   namespace
   {
-    // The number that makes up all of the text, or NaN. Hexadecimal numbers
-    // and words such as inf are no input a user means.
-    double
-    to_number(const std::string &text)
+    /** True if a unit is one of these dimensions. Numbers without dimensions
+     * may be written as m/m. */
+    bool
+    has_dimensions_of(const Quantity &quantity, const std::string &unit)
     {
-      if (text.empty() ||
-          text.find_first_not_of("0123456789+-.eE") != std::string::npos)
-        return std::numeric_limits<double>::quiet_NaN();
-      char        *end = nullptr;
-      const double x   = std::strtod(text.c_str(), &end);
-      if (end != text.c_str() + text.size())
-        return std::numeric_limits<double>::quiet_NaN();
-      return x;
+      if (quantity.unit.empty())
+        return true;
+      const std::optional<Unit> wanted = read_unit(unit);
+      return quantity.dimensions ==
+             (wanted ? wanted->dimensions : Dimensions());
     }
   } // namespace
 
@@ -50,10 +49,34 @@ namespace StickSlip
            std::all_of(items.begin(),
                        items.end(),
                        [this](const std::string &item) {
-                         return (!only_whole || item.find_first_of(".eE") ==
-                                                  std::string::npos) &&
-                                contains(to_number(item));
+                         const auto quantity = read_quantity(item);
+                         return quantity &&
+                                (!only_whole || (quantity->unit.empty() &&
+                                                 !quantity->is_decimal)) &&
+                                has_dimensions_of(*quantity, unit) &&
+                                contains(quantity->value);
                        });
+  }
+
+
+
+  std::string
+  NumberRange::mistaken_unit(const std::string &text) const
+  {
+    const std::string fitting = unit.empty() || !read_unit(unit) ?
+                                  "; there is no unit here" :
+                                  "; units that fit are " + units_like(unit);
+    for (const std::string &item : Utilities::split_string_list(text))
+      {
+        const std::string word = unknown_unit(item);
+        if (!word.empty())
+          return "'" + word + "' is no unit" + fitting;
+        const auto quantity = read_quantity(item);
+        if (quantity && !has_dimensions_of(*quantity, unit))
+          return "'" + quantity->unit + "' is a unit of something else" +
+                 fitting;
+      }
+    return "";
   }
 
 
@@ -75,6 +98,8 @@ namespace StickSlip
       }
     if (std::isfinite(upper))
       words += joint + (upper_included ? "<= " : "< ") + shortest_form(upper);
+    if (!unit.empty())
+      words += before_unit + unit + after_unit;
     if (n_numbers > 1)
       words += ", separated by commas";
     return words;
@@ -87,7 +112,11 @@ namespace StickSlip
   {
     std::vector<double> numbers;
     for (const std::string &item : Utilities::split_string_list(text))
-      numbers.push_back(to_number(item));
+      {
+        const auto quantity = read_quantity(item);
+        numbers.push_back(quantity ? quantity->value :
+                                     std::numeric_limits<double>::quiet_NaN());
+      }
     return numbers;
   }
 

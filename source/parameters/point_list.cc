@@ -12,14 +12,28 @@ namespace StickSlip
 {
   namespace
   {
+    /** The numbers of a point, each with the unit that follows it. */
     std::vector<std::string>
-    words(const std::string &text)
+    numbers_of(const std::string &text)
     {
       std::istringstream       stream(text);
       std::vector<std::string> list;
       for (std::string word; stream >> word;)
-        list.push_back(word);
+        if (list.empty() ||
+            std::string("+-.0123456789").find(word[0]) != std::string::npos)
+          list.push_back(word);
+        else
+          list.back() += " " + word;
       return list;
+    }
+
+
+
+    const NumberRange &
+    length()
+    {
+      static const NumberRange range = NumberRange().in("m");
+      return range;
     }
   } // namespace
 
@@ -31,9 +45,9 @@ namespace StickSlip
     const std::vector<std::string> items = Utilities::split_string_list(text);
     for (const std::string &item : items)
       {
-        const std::vector<std::string> numbers = words(item);
-        if (numbers.size() != 2 || !NumberRange().match(numbers[0]) ||
-            !NumberRange().match(numbers[1]))
+        const std::vector<std::string> numbers = numbers_of(item);
+        if (numbers.size() != 2 || !length().match(numbers[0]) ||
+            !length().match(numbers[1]))
           return false;
       }
     return n_points == 0 || items.empty() || items.size() == n_points;
@@ -47,7 +61,8 @@ namespace StickSlip
     return (n_points == 0 ?
               std::string("points") :
               "empty or " + std::to_string(n_points) + " points") +
-           ", each of two finite numbers, separated by commas: '0 0, 1 0.5'";
+           ", each of two numbers" + NumberRange::before_unit + "m" +
+           NumberRange::after_unit + ", separated by commas: '0 0, 1 0.5'";
   }
 
 
@@ -58,7 +73,7 @@ namespace StickSlip
     std::vector<Point<2>> points;
     for (const std::string &item : Utilities::split_string_list(text))
       {
-        const std::vector<std::string> numbers = words(item);
+        const std::vector<std::string> numbers = numbers_of(item);
         points.emplace_back(NumberRange::values(numbers[0])[0],
                             NumberRange::values(numbers[1])[0]);
       }

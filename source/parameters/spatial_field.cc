@@ -6,6 +6,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/spatial_field.h>
+#include <stickslip/parameters/units.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -65,10 +66,22 @@ namespace StickSlip
   SpatialField::operator=(const double value)
   {
     number = value;
+    given  = true;
     expression.clear();
     table_file.clear();
     table.reset();
     return *this;
+  }
+
+
+
+  void
+  SpatialField::make_optional(const double value_if_empty)
+  {
+    optional             = true;
+    this->value_if_empty = value_if_empty;
+    given                = true;
+    set("");
   }
 
 
@@ -80,8 +93,16 @@ namespace StickSlip
     // A table is not read twice.
     if (trimmed == this->text())
       return;
-    if (NumberRange().match(trimmed))
-      *this = NumberRange::values(trimmed).front();
+    const std::string mistake = range.mistaken_unit(trimmed);
+    if (!mistake.empty())
+      throw InputError(mistake + ".");
+    if (trimmed.empty() && optional)
+      {
+        *this = value_if_empty;
+        given = false;
+      }
+    else if (const std::optional<Quantity> quantity = read_quantity(trimmed))
+      *this = quantity->value;
     else if (const std::optional<std::string> file = file_of_table(trimmed))
       {
         if (file->empty())
@@ -103,7 +124,8 @@ namespace StickSlip
   std::string
   SpatialField::text() const
   {
-    return table               ? keyword + " " + table_file :
+    return !given              ? "" :
+           table               ? keyword + " " + table_file :
            !expression.empty() ? expression :
                                  shortest_form(number);
   }
@@ -186,6 +208,19 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  bool
+  SpatialField::is_table_elsewhere(const std::vector<Point<dim>> &points) const
+  {
+    return table && std::none_of(points.begin(),
+                                 points.end(),
+                                 [this](const Point<dim> &point) {
+                                   return table->covers(point);
+                                 });
+  }
+
+
+
   std::string
   SpatialField::with_absolute_path(const std::string &text,
                                    const std::string &folder)
@@ -200,11 +235,13 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                        \
-  template std::function<double(const Point<dim> &)>      \
-  SpatialField::function<dim>(const std::string &) const; \
-  template std::vector<double> SpatialField::values<dim>( \
-    const std::vector<Point<dim>> &, const std::string &) const;
+#define STICKSLIP_INSTANTIATE(dim)                               \
+  template std::function<double(const Point<dim> &)>             \
+  SpatialField::function<dim>(const std::string &) const;        \
+  template std::vector<double> SpatialField::values<dim>(        \
+    const std::vector<Point<dim>> &, const std::string &) const; \
+  template bool SpatialField::is_table_elsewhere<dim>(           \
+    const std::vector<Point<dim>> &) const;
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

@@ -80,7 +80,8 @@ namespace StickSlip
         for (const auto &component : component_list(dim))
           names += (names.empty() ? "" : ", ") + component.first;
         return "nothing, or " + std::to_string(component_list(dim).size()) +
-               " components, each " + StressField::each_component + names;
+               " components, each " + StressField::each_component + names +
+               NumberRange::before_unit + "Pa" + NumberRange::after_unit;
       }
 
       virtual std::unique_ptr<PatternBase>
@@ -114,7 +115,7 @@ namespace StickSlip
           components.emplace_back();
           components.back().describe(entry + " (" +
                                        component_list(dim)[c].first + ")",
-                                     NumberRange());
+                                     NumberRange().in("Pa"));
           components.back().set(parts[c]);
         }
     });

@@ -24,7 +24,10 @@ namespace StickSlip
       if (std::binary_search(prescribed_slip.begin(), prescribed_slip.end(), p))
         mask.mask_node(p);
       else if (!std::binary_search(opening.begin(), opening.end(), p))
-        mask.mask(p, FaultAxes<dim>::normal_component);
+        for (unsigned int c = FaultAxes<dim>::normal_component;
+             c < mask.n_components();
+             ++c)
+          mask.mask(p, c);
     return mask;
   }
 

@@ -66,12 +66,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  ContactSpace<dim>::ContactSpace(const MeshHierarchy<dim>          &meshes,
-                                  const std::vector<MaterialFields> &materials,
-                                  const BoundaryValues<dim> &boundary_values,
-                                  const std::vector<SlipRates<dim>> &slip_rates,
-                                  const std::vector<OpeningParts<dim>> &opening)
+  template <int dim, int n_components>
+  ContactSpace<dim, n_components>::ContactSpace(
+    const MeshHierarchy<dim>                &meshes,
+    const std::vector<MaterialFields>       &materials,
+    const BoundaryValues<dim, n_components> &boundary_values,
+    const std::vector<SlipRates<dim>>       &slip_rates,
+    const std::vector<OpeningParts<dim>>    &opening)
     : mesh_hierarchy(meshes)
   {
     const MeshLevel<dim>     &finest = meshes.finest();
@@ -99,9 +100,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactSpace<dim>::find_openings(
+  ContactSpace<dim, n_components>::find_openings(
     const std::vector<OpeningParts<dim>> &opening)
   {
     const unsigned int n_levels = mesh_hierarchy.n_levels();
@@ -139,9 +140,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  typename ContactSpace<dim>::Mapping
-  ContactSpace<dim>::make_mapping(
+  template <int dim, int n_components>
+  typename ContactSpace<dim, n_components>::Mapping
+  ContactSpace<dim, n_components>::make_mapping(
     const NodalVector                     &displacement,
     const std::vector<Tensor<1, dim - 1>> &expected_slip) const
   {
@@ -180,9 +181,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<std::optional<LargestGap>>
-  ContactSpace<dim>::follow_bends(
+  ContactSpace<dim, n_components>::follow_bends(
     const std::vector<Tensor<1, dim - 1>> &expected_slip,
     std::vector<FaultAxes<dim>>           &axes_now,
     std::vector<FaultDisplacement<dim>>   &displacements) const
@@ -231,9 +232,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactSpace<dim>::set_mapping(Mapping mapping, const BlockSparsity &sparsity)
+  ContactSpace<dim, n_components>::set_mapping(Mapping              mapping,
+                                               const BlockSparsity &sparsity)
   {
     std::vector<JumpBasis<dim>> &bases    = mapping.bases;
     const unsigned int           n_levels = mesh_hierarchy.n_levels();
@@ -243,14 +245,15 @@ namespace StickSlip
     levels.clear();
 
     // A node at which components are prescribed is no contact node.
-    std::vector<NodeFrames<dim>> frames = boundary_frames;
-    for (unsigned int l = 0; l < n_levels; ++l)
-      for (const auto &[node, node_axes] : bases[l].frames())
-        frames[l].set(node, node_axes);
+    std::vector<NodeFrames<n_components>> frames = boundary_frames;
+    if constexpr (n_components == dim)
+      for (unsigned int l = 0; l < n_levels; ++l)
+        for (const auto &[node, node_axes] : bases[l].frames())
+          frames[l].set(node, node_axes);
 
     // From the nodal basis to jumps, and from there down the levels. Each
     // product tells the ghosts and the sparsity on its coarse side.
-    to_jump_basis = std::make_unique<GalerkinProduct<dim>>(
+    to_jump_basis = std::make_unique<GalerkinProduct<n_components>>(
       finest.nodes,
       sparsity,
       local_rows(finest.nodes,
@@ -260,14 +263,14 @@ namespace StickSlip
       finest.nodes.owned(),
       LocalFrames(),
       frames.back());
-    std::vector<LevelDescription<dim>> descriptions(n_levels);
+    std::vector<LevelDescription<n_components>> descriptions(n_levels);
     descriptions.back().nodes          = to_jump_basis->coarse_nodes();
     descriptions.back().frames         = to_jump_basis->coarse_frames();
     const BlockSparsity *fine_sparsity = to_jump_basis->coarse_sparsity().get();
     for (unsigned int l = n_levels - 1; l > 0; --l)
       {
-        LevelDescription<dim> &fine = descriptions[l];
-        fine.to_coarser             = std::make_shared<GalerkinProduct<dim>>(
+        LevelDescription<n_components> &fine = descriptions[l];
+        fine.to_coarser = std::make_shared<GalerkinProduct<n_components>>(
           fine.nodes,
           *fine_sparsity,
           local_rows(fine.nodes,
@@ -290,14 +293,15 @@ namespace StickSlip
     for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
       inverse_rows.push_back(
         bases.back().to_jumps(finest.nodes.global_index(i)));
-    B_inverse    = TransferMatrix(inverse_rows,
+    B_inverse = TransferMatrix(inverse_rows,
                                finest.nodes,
                                to_jump_basis->coarse_nodes(),
                                frames.back().local_part(finest.nodes));
-    rotation     = RotationCoupling<dim>(bases.back(),
-                                     frames.back(),
-                                     to_jump_basis->coarse_nodes(),
-                                     *to_jump_basis->coarse_sparsity());
+    rotation =
+      RotationCoupling<dim, n_components>(bases.back(),
+                                          frames.back(),
+                                          to_jump_basis->coarse_nodes(),
+                                          *to_jump_basis->coarse_sparsity());
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
     largest_gaps = std::move(mapping.gaps);
@@ -305,15 +309,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactSpace<dim>::describe(std::vector<LevelDescription<dim>> &levels,
-                              const std::vector<JumpBasis<dim>>  &bases) const
+  ContactSpace<dim, n_components>::describe(
+    std::vector<LevelDescription<n_components>> &levels,
+    const std::vector<JumpBasis<dim>>           &bases) const
   {
     const std::vector<types::global_dof_index> no_nodes;
     for (unsigned int l = 0; l < levels.size(); ++l)
       {
-        LevelDescription<dim> &level = levels[l];
+        LevelDescription<n_components> &level = levels[l];
         level.nonsmooth_nodes = bases[l].owned_contact_nodes(level.nodes);
         level.fixed =
           fixed_components(mesh_hierarchy.level(l),
@@ -328,72 +333,64 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  const std::vector<LevelDescription<dim>> &
-  ContactSpace<dim>::descriptions() const
+  template <int dim, int n_components>
+  const std::vector<LevelDescription<n_components>> &
+  ContactSpace<dim, n_components>::descriptions() const
   {
     return levels;
   }
 
 
 
-  template <int dim>
-  GalerkinProduct<dim> &
-  ContactSpace<dim>::jump_product()
+  template <int dim, int n_components>
+  GalerkinProduct<n_components> &
+  ContactSpace<dim, n_components>::jump_product()
   {
     return *to_jump_basis;
   }
 
 
 
-  template <int dim>
-  const RotationCoupling<dim> &
-  ContactSpace<dim>::rotation_coupling() const
+  template <int dim, int n_components>
+  const RotationCoupling<dim, n_components> &
+  ContactSpace<dim, n_components>::rotation_coupling() const
   {
     return rotation;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   const MeshHierarchy<dim> &
-  ContactSpace<dim>::meshes() const
+  ContactSpace<dim, n_components>::meshes() const
   {
     return mesh_hierarchy;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   const JumpBasis<dim> &
-  ContactSpace<dim>::jump_basis() const
+  ContactSpace<dim, n_components>::jump_basis() const
   {
     return *finest_basis;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   const std::vector<std::optional<LargestGap>> &
-  ContactSpace<dim>::gaps() const
+  ContactSpace<dim, n_components>::gaps() const
   {
     return largest_gaps;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   bool
-  ContactSpace<dim>::has_openings() const
-  {
-    return !opening_nodes.back().empty();
-  }
-
-
-
-  template <int dim>
-  bool
-  ContactSpace<dim>::may_open(const types::global_dof_index node) const
+  ContactSpace<dim, n_components>::may_open(
+    const types::global_dof_index node) const
   {
     const std::vector<types::global_dof_index> &nodes = opening_nodes.back();
     return std::binary_search(nodes.begin(), nodes.end(), node);
@@ -401,82 +398,88 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactSpace<dim>::to_jumps(NodalVector &w, const NodalVector &u) const
+  ContactSpace<dim, n_components>::to_jumps(NodalVector       &w,
+                                            const NodalVector &u) const
   {
     // Values with the ghosts of the jump basis.
     NodalVector values = make_vector();
     std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
-    B_inverse.prolongate(w, values, dim);
+    B_inverse.prolongate(w, values, n_components);
     rotation.add(1., w);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactSpace<dim>::to_nodal(NodalVector &u, const NodalVector &w) const
+  ContactSpace<dim, n_components>::to_nodal(NodalVector       &u,
+                                            const NodalVector &w) const
   {
     if (rotation.empty())
       {
-        to_jump_basis->prolongation().prolongate(u, w, dim);
+        to_jump_basis->prolongation().prolongate(u, w, n_components);
         return;
       }
     NodalVector without_term = w;
     rotation.add(-1., without_term);
-    to_jump_basis->prolongation().prolongate(u, without_term, dim);
+    to_jump_basis->prolongation().prolongate(u, without_term, n_components);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  ContactSpace<dim>::to_dual(const NodalVector &f) const
+  ContactSpace<dim, n_components>::to_dual(const NodalVector &f) const
   {
     NodalVector dual = make_vector();
-    to_jump_basis->prolongation().restrict_to(dual, f, dim);
+    to_jump_basis->prolongation().restrict_to(dual, f, n_components);
     rotation.add_transpose(-1., dual);
     return dual;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactSpace<dim>::set_known_jumps(const double time, NodalVector &w) const
+  ContactSpace<dim, n_components>::set_known_jumps(const double time,
+                                                   NodalVector &w) const
   {
-    const LevelDescription<dim> &finest = levels.back();
+    const LevelDescription<n_components> &finest = levels.back();
     for (const unsigned int p : finest.nonsmooth_nodes)
       if (!may_open(finest.nodes.global_index(p)))
-        w.local_element(p * dim + FaultAxes<dim>::normal_component) = 0.;
+        for (unsigned int c = FaultAxes<dim>::normal_component;
+             c < n_components;
+             ++c)
+          w.local_element(p * n_components + c) = 0.;
     if (prescribed_slip)
       prescribed_slip->set_slip_rates(time, *finest_basis, finest.nodes, w);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  ContactSpace<dim>::longest_slip_ramp() const
+  ContactSpace<dim, n_components>::longest_slip_ramp() const
   {
     return prescribed_slip ? prescribed_slip->longest_ramp() : 0.;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  ContactSpace<dim>::make_vector() const
+  ContactSpace<dim, n_components>::make_vector() const
   {
     return levels.back().nodes.make_vector();
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  ContactSpace<dim>::make_nodal_vector() const
+  ContactSpace<dim, n_components>::make_nodal_vector() const
   {
     return mesh_hierarchy.finest().nodes.make_vector();
   }
@@ -485,4 +488,5 @@ namespace StickSlip
 
   template class ContactSpace<2>;
   template class ContactSpace<3>;
+  template class ContactSpace<2, 1>;
 } // namespace StickSlip

@@ -8,20 +8,22 @@
 
 namespace StickSlip
 {
-  template <int dim>
-  EquationOfMotion<dim>::EquationOfMotion(
-    const ContactSpace<dim>           &space,
-    const std::vector<MaterialFields> &materials,
-    BoundaryValues<dim>               &boundary_values,
-    const Tensor<1, dim>              &gravity,
-    const bool                         with_inertia)
+  template <int dim, int n_components>
+  EquationOfMotion<dim, n_components>::EquationOfMotion(
+    const ContactSpace<dim, n_components> &space,
+    const std::vector<MaterialFields>     &materials,
+    BoundaryValues<dim, n_components>     &boundary_values,
+    const Tensor<1, dim>                  &gravity,
+    const bool                             with_inertia)
     : space(space)
     , boundary(boundary_values)
   {
-    const MeshLevel<dim> &finest = space.meshes().finest();
-    ElasticMatrices<dim>  matrices =
-      assemble_elastic_matrices(finest, materials, with_inertia);
-    const auto add = [&](const Term term, BlockMatrix<dim> &matrix) {
+    const MeshLevel<dim>         &finest = space.meshes().finest();
+    ElasticMatrices<n_components> matrices =
+      assemble_elastic_matrices<dim, n_components>(finest,
+                                                   materials,
+                                                   with_inertia);
+    const auto add = [&](const Term term, BlockMatrix<n_components> &matrix) {
       if (matrix.shared_sparsity() == nullptr)
         return;
       terms.push_back(term);
@@ -30,15 +32,16 @@ namespace StickSlip
     add(mass, matrices.mass);
     add(damping, matrices.damping);
     add(stiffness, matrices.stiffness);
-    if (gravity.norm_square() > 0.)
+    // Gravity acts in the plane.
+    if (n_components == dim && gravity.norm_square() > 0.)
       gravity_load = assemble_gravity(finest, materials, gravity);
   }
 
 
 
-  template <int dim>
-  const BlockMatrix<dim> &
-  EquationOfMotion<dim>::term(const Term term) const
+  template <int dim, int n_components>
+  const BlockMatrix<n_components> &
+  EquationOfMotion<dim, n_components>::term(const Term term) const
   {
     const auto position = std::find(terms.begin(), terms.end(), term);
     AssertThrow(position != terms.end(),
@@ -48,9 +51,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  EquationOfMotion<dim>::combine(const std::vector<double> &coefficients)
+  EquationOfMotion<dim, n_components>::combine(
+    const std::vector<double> &coefficients)
   {
     std::vector<double> present;
     for (const Term term : terms)
@@ -60,9 +64,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  EquationOfMotion<dim>::load(const double time)
+  EquationOfMotion<dim, n_components>::load(const double time)
   {
     const bool has_gravity = gravity_load.size() > 0;
     const bool on_faults   = fault_load.size() > 0;
@@ -78,29 +82,32 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  EquationOfMotion<dim>::make_operator(
-    GalerkinProduct<dim>              &product,
-    const RotationCoupling<dim>       &rotation,
-    std::vector<LevelDescription<dim>> descriptions)
+  EquationOfMotion<dim, n_components>::make_operator(
+    GalerkinProduct<n_components>              &product,
+    const RotationCoupling<dim, n_components>  &rotation,
+    std::vector<LevelDescription<n_components>> descriptions)
   {
-    const NodeMask all(space.meshes().finest().nodes.n_local(), dim);
-    std::vector<BlockMatrix<dim>> jump_terms;
-    for (const BlockMatrix<dim> &term : nodal_terms)
+    const NodeMask all(space.meshes().finest().nodes.n_local(), n_components);
+    std::vector<BlockMatrix<n_components>> jump_terms;
+    for (const BlockMatrix<n_components> &term : nodal_terms)
       {
         jump_terms.emplace_back(product.coarse_sparsity());
         product.compute(term, all, jump_terms.back());
         rotation.transform(jump_terms.back());
       }
-    operator_sum = std::make_unique<OperatorSum<dim>>(descriptions.back(),
-                                                      std::move(jump_terms));
-    levels       = std::make_unique<LevelHierarchy<dim>>(*operator_sum,
-                                                   std::move(descriptions));
+    operator_sum =
+      std::make_unique<OperatorSum<n_components>>(descriptions.back(),
+                                                  std::move(jump_terms));
+    levels =
+      std::make_unique<LevelHierarchy<n_components>>(*operator_sum,
+                                                     std::move(descriptions));
   }
 
 
 
   template class EquationOfMotion<2>;
   template class EquationOfMotion<3>;
+  template class EquationOfMotion<2, 1>;
 } // namespace StickSlip

@@ -40,26 +40,29 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  InitialEquilibrium<dim>
-  solve_initial_equilibrium(SpatialProblem<dim> &problem)
+  template <int dim, int n_components>
+  unsigned int
+  solve_with_known_jumps(SpatialProblem<dim, n_components> &problem,
+                         const NodalVector                 &load,
+                         NodalVector                       &w)
   {
     constexpr double       reduction      = 1e-12;
     constexpr unsigned int max_iterations = 1000;
 
-    LevelHierarchy<dim>         &hierarchy = problem.hierarchy();
-    const LevelDescription<dim> &finest    = hierarchy.finest();
+    LevelHierarchy<n_components>         &hierarchy = problem.hierarchy();
+    const LevelDescription<n_components> &finest    = hierarchy.finest();
 
     std::vector<double> coefficients(3, 0.);
-    coefficients[SpatialProblem<dim>::stiffness] = 1.;
+    coefficients[SpatialProblem<dim, n_components>::stiffness] = 1.;
     problem.combine(coefficients);
     NodeMask stuck = finest.fixed;
     for (const unsigned int p : finest.nonsmooth_nodes)
       stuck.mask_node(p);
     try
       {
-        hierarchy.linearise(
-          std::vector<Tensor<2, dim>>(finest.nonsmooth_nodes.size()), stuck);
+        hierarchy.linearise(std::vector<Tensor<2, n_components>>(
+                              finest.nonsmooth_nodes.size()),
+                            stuck);
       }
     catch (const SingularCoarseMatrix &error)
       {
@@ -70,39 +73,51 @@ namespace StickSlip
                             "out of all proportion.");
       }
 
-    const NodalVector load = problem.load(0.);
-    NodalVector       rhs  = load;
+    NodalVector rhs = problem.make_vector(), change = rhs;
+    problem.operators().matrix().residual(rhs, load, w);
     stuck.apply(rhs);
-    NodalVector w = problem.make_vector();
+    // Without a load nothing is solved, and the control has no last step.
+    if (!(rhs.l2_norm() > 0.))
+      return 0;
+    SolverControl control(max_iterations, reduction * rhs.l2_norm());
+    try
+      {
+        SolverCG<NodalVector>(control).solve(
+          LinearisedOperator<n_components>{hierarchy},
+          change,
+          rhs,
+          CyclePreconditioner<n_components>{hierarchy});
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        throw AgreedFailure("The static equilibrium at the start was not "
+                            "found: the boundary conditions must hold every "
+                            "body.");
+      }
+    w += change;
+    return control.last_step();
+  }
+
+
+
+  template <int dim, int n_components>
+  InitialEquilibrium<dim>
+  solve_initial_equilibrium(SpatialProblem<dim, n_components> &problem)
+  {
+    const NodePartition &nodes = problem.hierarchy().finest().nodes;
+    const NodalVector    load  = problem.load(0.);
+    NodalVector          w     = problem.make_vector();
 
     InitialEquilibrium<dim> result;
-    SolverControl           control(max_iterations, reduction * rhs.l2_norm());
-    if (rhs.l2_norm() > 0.)
-      try
-        {
-          SolverCG<NodalVector>(control).solve(
-            LinearisedOperator<dim>{hierarchy},
-            w,
-            rhs,
-            CyclePreconditioner<dim>{hierarchy});
-        }
-      catch (const SolverControl::NoConvergence &)
-        {
-          throw AgreedFailure("The static equilibrium at the start was not "
-                              "found: the boundary conditions must hold every "
-                              "body.");
-        }
-    // Without a load nothing was solved, and the control has no last step.
-    if (rhs.l2_norm() > 0.)
-      result.iterations = control.last_step();
+    result.iterations = solve_with_known_jumps(problem, load, w);
 
     NodalVector reaction = problem.make_vector();
     problem.operators().matrix().residual(reaction, load, w);
     reaction *= -1.;
     result.contact_pressure =
-      contact_pressures(problem.jump_basis(), finest.nodes, reaction);
+      contact_pressures(problem.jump_basis(), nodes, reaction);
     result.shear_traction =
-      shear_tractions(problem.jump_basis(), finest.nodes, reaction);
+      shear_tractions(problem.jump_basis(), nodes, reaction);
     result.displacement = problem.make_nodal_vector();
     problem.to_nodal(result.displacement, w);
     return result;
@@ -110,6 +125,11 @@ namespace StickSlip
 
 
 
+  template decltype(solve_with_known_jumps<2>)    solve_with_known_jumps<2>;
+  template decltype(solve_with_known_jumps<3>)    solve_with_known_jumps<3>;
+  template decltype(solve_with_known_jumps<2, 1>) solve_with_known_jumps<2, 1>;
   template decltype(solve_initial_equilibrium<2>) solve_initial_equilibrium<2>;
   template decltype(solve_initial_equilibrium<3>) solve_initial_equilibrium<3>;
+  template decltype(solve_initial_equilibrium<2, 1>)
+    solve_initial_equilibrium<2, 1>;
 } // namespace StickSlip

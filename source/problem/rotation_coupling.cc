@@ -12,26 +12,26 @@ namespace StickSlip
 {
   namespace
   {
-    template <int dim>
-    Tensor<2, dim>
-    block(const BlockMatrix<dim> &matrix, const unsigned int position)
+    template <int n_components>
+    Tensor<2, n_components>
+    block(const BlockMatrix<n_components> &matrix, const unsigned int position)
     {
-      Tensor<2, dim> result;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          result[c][d] = matrix.block(position)[c * dim + d];
+      Tensor<2, n_components> result;
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          result[c][d] = matrix.block(position)[c * n_components + d];
       return result;
     }
 
 
 
-    template <int dim>
+    template <int n_components>
     void
-    subtract(const Tensor<2, dim> &value, double *block)
+    subtract(const Tensor<2, n_components> &value, double *block)
     {
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          block[c * dim + d] -= value[c][d];
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          block[c * n_components + d] -= value[c][d];
     }
 
 
@@ -51,43 +51,49 @@ namespace StickSlip
 
 
 
-    template <int dim>
-    Tensor<1, dim>
+    template <int n_components>
+    Tensor<1, n_components>
     value(const NodalVector &vector, const unsigned int node)
     {
-      Tensor<1, dim> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = vector.begin()[node * dim + d];
+      Tensor<1, n_components> result;
+      for (unsigned int d = 0; d < n_components; ++d)
+        result[d] = vector.begin()[node * n_components + d];
       return result;
     }
 
 
 
-    template <int dim>
+    template <int n_components>
     void
-    add_value(const Tensor<1, dim> &value,
-              const unsigned int    node,
-              NodalVector          &vector)
+    add_value(const Tensor<1, n_components> &value,
+              const unsigned int             node,
+              NodalVector                   &vector)
     {
-      for (unsigned int d = 0; d < dim; ++d)
-        vector.begin()[node * dim + d] += value[d];
+      for (unsigned int d = 0; d < n_components; ++d)
+        vector.begin()[node * n_components + d] += value[d];
     }
   } // namespace
 
 
 
-  template <int dim>
-  RotationCoupling<dim>::RotationCoupling(const JumpBasis<dim>  &basis,
-                                          const NodeFrames<dim> &frames,
-                                          const NodePartition   &nodes,
-                                          const BlockSparsity   &sparsity)
+  template <int dim, int n_components>
+  RotationCoupling<dim, n_components>::RotationCoupling(
+    const JumpBasis<dim>           &basis,
+    const NodeFrames<n_components> &frames,
+    const NodePartition            &nodes,
+    const BlockSparsity            &sparsity)
     : n_owned(nodes.n_owned())
   {
+    // Rotations move nothing out of the plane.
+    if (n_components < dim)
+      return;
     // Every process has the coupling of all faults.
+    Tensor<2, n_components> unit_matrix;
+    for (unsigned int c = 0; c < n_components; ++c)
+      unit_matrix[c][c] = 1.;
     const auto axes_of = [&](const types::global_dof_index node) {
-      const Tensor<2, dim> *axes = frames.find(node);
-      return axes != nullptr ? *axes :
-                               Tensor<2, dim>(unit_symmetric_tensor<dim>());
+      const Tensor<2, n_components> *axes = frames.find(node);
+      return axes != nullptr ? *axes : unit_matrix;
     };
     for (const auto p : basis.contact_nodes())
       {
@@ -97,12 +103,13 @@ namespace StickSlip
           continue;
         const double averaging_factor = basis.to_jumps(p).front().second;
         Row         &row              = rows[nodes.local_index(p)];
-        for (const auto &[q, matrix] : term)
-          // Masters of a ghost are columns of the owned rows that it is in.
-          if (nodes.is_local(q))
-            row.emplace_back(nodes.local_index(q),
-                             averaging_factor * transpose(axes_of(p)) * matrix *
-                               axes_of(q));
+        if constexpr (n_components == dim)
+          for (const auto &[q, matrix] : term)
+            // Masters of a ghost are columns of the owned rows that it is in.
+            if (nodes.is_local(q))
+              row.emplace_back(nodes.local_index(q),
+                               averaging_factor * transpose(axes_of(p)) *
+                                 matrix * axes_of(q));
       }
     if (!is_needed)
       return;
@@ -132,9 +139,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RotationCoupling<dim>::add(const double factor, NodalVector &w) const
+  RotationCoupling<dim, n_components>::add(const double factor,
+                                           NodalVector &w) const
   {
     if (empty())
       return;
@@ -142,15 +150,17 @@ namespace StickSlip
     for (const auto &[p, row] : rows)
       if (p < n_owned)
         for (const auto &[q, matrix] : row)
-          add_value<dim>(factor * (matrix * value<dim>(w, q)), p, w);
+          add_value<n_components>(factor * (matrix * value<n_components>(w, q)),
+                                  p,
+                                  w);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RotationCoupling<dim>::add_transpose(const double factor,
-                                       NodalVector &f) const
+  RotationCoupling<dim, n_components>::add_transpose(const double factor,
+                                                     NodalVector &f) const
   {
     if (empty())
       return;
@@ -158,15 +168,17 @@ namespace StickSlip
     for (const auto &[p, row] : rows)
       if (p < n_owned)
         for (const auto &[q, matrix] : row)
-          add_value<dim>(factor * (transpose(matrix) * value<dim>(f, p)), q, f);
+          add_value<n_components>(
+            factor * (transpose(matrix) * value<n_components>(f, p)), q, f);
     add_ghosts_to_owners(f);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RotationCoupling<dim>::transform(BlockMatrix<dim> &A) const
+  RotationCoupling<dim, n_components>::transform(
+    BlockMatrix<n_components> &A) const
   {
     if (empty())
       return;
@@ -178,12 +190,13 @@ namespace StickSlip
            ++k)
         if (const auto row = rows.find(sparsity.column[k]); row != rows.end())
           {
-            const Tensor<2, dim> A_ip = block(A, k);
+            const Tensor<2, n_components> A_ip = block(A, k);
             for (const auto &[q, matrix] : row->second)
               subtract(A_ip * matrix, A.block(position(sparsity, i, q)));
           }
 
-    AlignedVector<double> ghost_values(ghost_rows.column.size() * dim * dim);
+    AlignedVector<double> ghost_values(ghost_rows.column.size() * n_components *
+                                       n_components);
     for (const auto &[p, row] : rows)
       if (p < n_owned)
         for (const auto &[q, matrix] : row)
@@ -195,15 +208,18 @@ namespace StickSlip
               double *const      target =
                 q < n_owned ?
                        A.block(position(sparsity, q, j)) :
-                       ghost_values.data() +
-                    dim * dim * position(ghost_rows, q - n_owned, j);
+                       ghost_values.data() + n_components * n_components *
+                                          position(ghost_rows, q - n_owned, j);
               subtract(transpose(matrix) * block(A, k), target);
             }
-    exchange.add_to_owners(ghost_values, A.values(), dim * dim);
+    exchange.add_to_owners(ghost_values,
+                           A.values(),
+                           n_components * n_components);
   }
 
 
 
   template class RotationCoupling<2>;
   template class RotationCoupling<3>;
+  template class RotationCoupling<2, 1>;
 } // namespace StickSlip

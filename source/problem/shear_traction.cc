@@ -65,14 +65,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<Tensor<1, dim - 1>>
-  balancing_tractions(const FaultNodes<dim>  &faults,
-                      const NodeLaws         &laws,
-                      const SystemState<dim> &state,
-                      const BlockMatrix<dim> &A,
-                      const NodalVector      &b,
-                      const NodalVector      &w)
+  balancing_tractions(const FaultNodes<dim>           &faults,
+                      const NodeLaws                  &laws,
+                      const SystemState<dim>          &state,
+                      const BlockMatrix<n_components> &A,
+                      const NodalVector               &b,
+                      const NodalVector               &w)
   {
     // Every process has all nodes.
     bool is_needed = false;
@@ -93,10 +93,11 @@ namespace StickSlip
 
 
 
-  template decltype(directed_friction<2>)   directed_friction<2>;
-  template decltype(directed_friction<3>)   directed_friction<3>;
-  template decltype(shear_traction<2>)      shear_traction<2>;
-  template decltype(shear_traction<3>)      shear_traction<3>;
-  template decltype(balancing_tractions<2>) balancing_tractions<2>;
-  template decltype(balancing_tractions<3>) balancing_tractions<3>;
+  template decltype(directed_friction<2>)      directed_friction<2>;
+  template decltype(directed_friction<3>)      directed_friction<3>;
+  template decltype(shear_traction<2>)         shear_traction<2>;
+  template decltype(shear_traction<3>)         shear_traction<3>;
+  template decltype(balancing_tractions<2>)    balancing_tractions<2>;
+  template decltype(balancing_tractions<3>)    balancing_tractions<3>;
+  template decltype(balancing_tractions<2, 1>) balancing_tractions<2, 1>;
 } // namespace StickSlip

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
-#include <stickslip/mesh/coarse_body.h>
+#include <stickslip/geometry/coarse_body.h>
 #include <stickslip/parameters/entries.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/point_list.h>
@@ -67,7 +67,7 @@ namespace StickSlip
       add_numbers(prm,
                   "Extent along y",
                   along_y,
-                  NumberRange(),
+                  NumberRange().in("m"),
                   "Lower and upper end of a block along y, in m.");
   }
 

@@ -12,7 +12,7 @@ namespace StickSlip
     CommandLine       command_line;
     const std::string set     = "--set";
     bool              is_help = false, is_version = false, is_reference = false,
-         is_check = false;
+         is_check = false, is_parameters = false;
     for (unsigned int i = 0; i < arguments.size(); ++i)
       {
         const std::string &argument = arguments[i];
@@ -35,18 +35,24 @@ namespace StickSlip
           is_help = true;
         else if (argument == "--version")
           is_version = true;
+        else if (argument == "--print-parameters")
+          is_parameters = true;
         else if (argument == "--parameter-reference")
           is_reference = true;
         else if (argument.rfind("-", 0) == 0)
           throw InputError(
             "'" + argument +
             "': there is no such option; allowed are --set, --restart, "
-            "--overwrite, --check, --help, --version and --parameter-reference.");
+            "--overwrite, --check, --print-parameters, --help, --version and "
+            "--parameter-reference.");
+        else if (!command_line.parameter_file.empty() && is_check)
+          command_line.more_files.push_back(argument);
         else if (!command_line.parameter_file.empty())
           throw InputError("'" + argument +
                            "': a parameter file is already "
                            "given, '" +
-                           command_line.parameter_file + "'; one is allowed.");
+                           command_line.parameter_file +
+                           "'; one is allowed, or several after --check.");
         else
           command_line.parameter_file = argument;
       }
@@ -63,6 +69,8 @@ namespace StickSlip
     else if (command_line.restart && command_line.overwrite)
       throw InputError("--restart goes on with the results that are there, "
                        "--overwrite replaces them; one of both is allowed.");
+    else if (is_parameters)
+      command_line.task = CommandLine::Task::print_parameters;
     else if (is_check)
       command_line.task = CommandLine::Task::check;
     return command_line;
@@ -73,22 +81,38 @@ namespace StickSlip
   std::string
   command_line_help()
   {
-    return "Usage: stickslip FILE.prm [--set 'Section/Subsection/Entry=value']"
-           "...\n\n"
-           "Simulates the fault system that the parameter file describes.\n\n"
-           "  --set PATH=VALUE        override an entry of the file; may be "
-           "repeated\n"
-           "  --restart               go on with the run whose results are in "
-           "the output\n"
-           "                          directory, from its last checkpoint\n"
-           "  --overwrite             replace results that are there\n"
-           "  --check                 print bodies, sides and faults, and "
-           "write pictures of\n"
-           "                          the meshes into the output directory, "
-           "in place of a run\n"
-           "  --help                  print this text\n"
-           "  --version               print the version\n"
-           "  --parameter-reference   print all entries of parameter files, in "
-           "Markdown\n";
+    return R"text(Usage: stickslip FILE.prm [OPTION]...
+       mpirun -np N stickslip FILE.prm [OPTION]...
+
+Simulates the fault system that the parameter file describes, on one process or
+on N. Results land in the folder Output/Output directory, by default
+output/<name of the file> below the current one.
+
+What is done with the scene:
+  --set PATH=VALUE        override an entry, 'Section/Subsection/Entry=value';
+                          may be repeated
+  --restart               go on with the run whose results are in the output
+                          directory, from its last whole checkpoint
+  --overwrite             replace results that are there
+  --check                 in place of a run, say what will happen in one, print
+                          bodies, sides and faults, and write pictures of the
+                          meshes into the output directory; several files may
+                          follow
+  --print-parameters      in place of a run, print all entries of the scene with
+                          their values, defaults and --set included, and what
+                          they mean; what is printed is a parameter file
+
+Without a file:
+  --help, -h              print this text
+  --version               print the version, the revision of the sources, and the
+                          versions of the libraries
+  --parameter-reference   print all entries of parameter files, in Markdown
+
+An interrupt (Ctrl-C), SIGTERM or SIGHUP ends a run after the current step with
+complete files. Exit status: 0 the end time was reached, 130 the run was
+interrupted, 1 there was an error, of which one sentence is printed.
+
+Entries are in doc/parameters.md, the files of a run in doc/output.md.
+)text";
   }
 } // namespace StickSlip

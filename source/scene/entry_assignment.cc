@@ -4,7 +4,9 @@
 #include <deal.II/base/exceptions.h>
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/base/make_set.h>
 #include <stickslip/parameters/name_list.h>
+#include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/spatial_field.h>
 #include <stickslip/parameters/stress_field.h>
 #include <stickslip/scene/entry_assignment.h>
@@ -81,27 +83,53 @@ namespace StickSlip
 
 
   void
+  refuse_entry(const Assignment                 &assignment,
+               const std::vector<DeclaredEntry> &entries)
+  {
+    std::vector<std::string> paths, of_this_name;
+    for (const DeclaredEntry &entry : entries)
+      {
+        std::string path;
+        for (const std::string &section : entry.sections)
+          path += section + "/";
+        paths.push_back(path + entry.name);
+        if (entry.name == assignment.entry)
+          of_this_name.push_back(paths.back());
+      }
+    make_set(of_this_name);
+    std::string nearest = nearest_name(assignment.path(), paths);
+    if (nearest.empty() && of_this_name.size() == 1)
+      nearest = of_this_name[0];
+    std::string missing = "entry";
+    for (unsigned int n = 1; n <= assignment.sections.size(); ++n)
+      if (std::none_of(entries.begin(),
+                       entries.end(),
+                       [&](const DeclaredEntry &entry) {
+                         return entry.sections.size() >= n &&
+                                std::equal(assignment.sections.begin(),
+                                           assignment.sections.begin() + n,
+                                           entry.sections.begin());
+                       }))
+        {
+          missing = "subsection '" + assignment.sections[n - 1] + "'";
+          break;
+        }
+    throw InputError(
+      naming(assignment) + ": there is no such " + missing + "; " +
+      (nearest.empty() ? "" : "did you mean '" + nearest + "'; ") +
+      alternatives(assignment, entries) + ".");
+  }
+
+
+
+  void
   apply(ParameterHandler                 &prm,
         const std::vector<DeclaredEntry> &entries,
         const Assignment                 &assignment)
   {
     const auto declared = find_declared(entries, assignment);
     if (declared == entries.end())
-      {
-        std::vector<std::string> paths;
-        for (const DeclaredEntry &entry : entries)
-          {
-            std::string path;
-            for (const std::string &section : entry.sections)
-              path += section + "/";
-            paths.push_back(path + entry.name);
-          }
-        const std::string nearest = nearest_name(assignment.path(), paths);
-        throw InputError(
-          naming(assignment) + ": there is no such entry; " +
-          (nearest.empty() ? "" : "did you mean '" + nearest + "'; ") +
-          alternatives(assignment, entries) + ".");
-      }
+      refuse_entry(assignment, entries);
 
     for (const std::string &section : assignment.sections)
       prm.enter_subsection(section);
@@ -118,8 +146,13 @@ namespace StickSlip
       }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
       {
-        throw InputError(naming(assignment) + ": must be " + declared->allowed +
-                         ".");
+        NumberRange range;
+        if (!declared->unit.empty())
+          range.in(declared->unit);
+        const std::string mistake = range.mistaken_unit(assignment.value);
+        throw InputError(naming(assignment) + ": " +
+                         (mistake.empty() ? "" : mistake + "; it ") +
+                         "must be " + declared->allowed + ".");
       }
     catch (const InputError &error)
       {

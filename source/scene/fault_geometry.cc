@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
-#include <stickslip/mesh/smooth_shape.h>
+#include <stickslip/geometry/smooth_shape.h>
 #include <stickslip/parameters/entries.h>
 #include <stickslip/scene/fault_geometry.h>
 
@@ -55,7 +55,7 @@ namespace StickSlip
       prm,
       "Elevation",
       elevation,
-      NumberRange(),
+      NumberRange().in("m"),
       "Elevation of the fault in a stack of built-in bodies, in m: an "
       "expression in x (and y in three dimensions) or a table; or the "
       "word level: as the thicknesses of the bodies say. Nodes of the "
@@ -65,7 +65,7 @@ namespace StickSlip
       prm,
       "Shape",
       shape,
-      NumberRange(),
+      NumberRange().in("m"),
       "Where refinement puts new nodes of a fault of mesh files or blocks: "
       "mesh, straight between the nodes of the coarse mesh; smooth, on a curve "
       "of continuous curvature through them, in three dimensions a smooth "

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/parameters/name_list.h>
 #include <stickslip/scene/entry_assignment.h>
 #include <stickslip/scene/known_entries.h>
 #include <stickslip/scene/scene_writer.h>
@@ -28,18 +29,36 @@ namespace StickSlip
 
 
 
-    /** The path of an entry of any scene, with the names that an assignment
-     * gives. */
-    std::string
-    path_for(const DeclaredEntry &entry, const Assignment &assignment)
+    /** An entry of any scene, with the names that an assignment gives. */
+    DeclaredEntry
+    named_for(DeclaredEntry entry, const Assignment &assignment)
     {
-      std::string path;
       for (unsigned int i = 0; i < entry.sections.size(); ++i)
-        path += (is_named(entry.sections, i) && i < assignment.sections.size() ?
-                   assignment.sections[i] :
-                   entry.sections[i]) +
-                "/";
-      return path + entry.name;
+        if (is_named(entry.sections, i))
+          entry.sections[i] =
+            i < assignment.sections.size() ? assignment.sections[i] : "<name>";
+      return entry;
+    }
+
+
+
+    /** Refuse an assignment in a subsection that no list of names has. */
+    void
+    refuse_unlisted_name(const Assignment               &assignment,
+                         const unsigned int              section,
+                         const std::string              &list,
+                         const std::vector<std::string> &names)
+    {
+      const std::string &name = assignment.sections[section];
+      if (std::find(names.begin(), names.end(), name) != names.end())
+        return;
+      const std::string nearest = nearest_name(name, names);
+      throw InputError(
+        naming(assignment) + ": '" + name + "' is not in '" + list + "'" +
+        (nearest.empty() ? "" : "; did you mean '" + nearest + "'") + "; " +
+        (names.empty() ? "there are no names" :
+                         "names there are " + join_names(names)) +
+        ".");
     }
 
 
@@ -74,16 +93,43 @@ namespace StickSlip
     const std::vector<DeclaredEntry> entries = entries_of_any_scene();
     for (const Assignment &assignment : assignments)
       {
-        std::vector<std::string> paths;
+        std::vector<DeclaredEntry> named;
         for (const DeclaredEntry &entry : entries)
-          paths.push_back(path_for(entry, assignment));
-        if (std::find(paths.begin(), paths.end(), assignment.path()) !=
-            paths.end())
+          named.push_back(named_for(entry, assignment));
+        if (find_declared(named, assignment) == named.end())
+          refuse_entry(assignment, named);
+      }
+  }
+
+
+
+  void
+  refuse_unlisted_names(const std::vector<Assignment>  &assignments,
+                        const std::vector<std::string> &top_sections)
+  {
+    const auto names = [&assignments](const std::string &list) {
+      std::vector<std::string> result;
+      for (const Assignment &assignment : assignments)
+        if (assignment.path() == list)
+          result = NameList::split(assignment.value);
+      return result;
+    };
+    for (const Assignment &assignment : assignments)
+      {
+        const std::vector<std::string> &sections = assignment.sections;
+        if (sections.empty() ||
+            std::find(top_sections.begin(), top_sections.end(), sections[0]) ==
+              top_sections.end())
           continue;
-        const std::string nearest = nearest_name(assignment.path(), paths);
-        throw InputError(
-          naming(assignment) + ": there is no such entry" +
-          (nearest.empty() ? "" : "; did you mean '" + nearest + "'") + ".");
+        for (const unsigned int i : {1, 3})
+          if (i < sections.size() && is_named(sections, i))
+            {
+              const std::string list =
+                i == 3 ? sections[0] + "/" + sections[1] + "/Regions/Names" :
+                sections[0] == "Boundary conditions" ? sections[0] + "/Sides" :
+                                                       sections[0] + "/Names";
+              refuse_unlisted_name(assignment, i, list, names(list));
+            }
       }
   }
 

@@ -300,6 +300,54 @@ namespace StickSlip
 
 
 
+    /** Antiplane scenes have no displacements in the plane. */
+    template <int dim>
+    void
+    check_antiplane(const SceneParameters<dim> &scene)
+    {
+      if (scene.deformation != Deformation::antiplane)
+        return;
+      const auto refuse = [](const std::string &path,
+                             const std::string &value,
+                             const std::string &reason) {
+        throw InputError(naming(path, value) + ": " + reason +
+                         " with 'Deformation' = 'antiplane'.");
+      };
+      if (dim == 3)
+        throw InputError(naming("Deformation", "antiplane") +
+                         ": is for two dimensions, but 'Dimension' = '3'.");
+      for (const FaultParameters &fault : scene.faults)
+        {
+          if (fault.may_open())
+            refuse(fault.section() + "/Contact",
+                   "unilateral",
+                   "faults cannot open");
+          if (fault.normal_stress_follows)
+            refuse(fault.section() + "/Normal stress follows",
+                   "true",
+                   "slip does not change the normal stress");
+          if (fault.background_stress.is_given())
+            throw InputError("'" + fault.section() +
+                             "/Background stress': is in the plane; give "
+                             "'Normal stress' and 'Initial shear stress' with "
+                             "'Deformation' = 'antiplane'.");
+          if (fault.normal_stress_source ==
+              NormalStressSource::initial_equilibrium)
+            refuse(fault.section() + "/Normal stress",
+                   "initial equilibrium",
+                   "there is no contact pressure, so that it must be function "
+                   "or lithostatic");
+        }
+      for (const BoundaryCondition<dim> &condition : scene.boundary_conditions)
+        if (condition.axes == BoundaryAxes::side)
+          refuse("Boundary conditions/" + condition.body + " " +
+                   condition.side_name + "/Axes",
+                 "side",
+                 "there is one axis, z,");
+    }
+
+
+
     /** Check that the condition on a side is a motion of all of a rigid body.
      */
     template <int dim>
@@ -315,7 +363,7 @@ namespace StickSlip
                            "the rigid body '" +
                            condition.body +
                            "'; one is enough, all of it moves with it.");
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < scene.n_components(); ++c)
         {
           const std::string axis = condition.component_name(c);
           if (condition.type[c] == BoundaryType::traction)
@@ -366,8 +414,10 @@ namespace StickSlip
                              "' is no outer side, since '" +
                              periodic_entry(normal_axis) +
                              "' = 'true' joins it to the opposite one.");
-          const Tensor<2, dim> directions = side_directions(scene, condition);
-          for (unsigned int component = 0; component < dim; ++component)
+          const std::vector<Tensor<2, dim>> directions =
+            side_directions(scene, condition);
+          for (unsigned int component = 0; component < scene.n_components();
+               ++component)
             {
               const std::string  axis = condition.component_name(component);
               const std::string &expression = condition.expression[component];
@@ -376,13 +426,21 @@ namespace StickSlip
               if ((scene.mesh != nullptr || condition.body == lowest.name) &&
                   (type == BoundaryType::fixed ||
                    type == BoundaryType::velocity))
-                {
-                  Tensor<1, dim> direction;
-                  for (unsigned int d = 0; d < dim; ++d)
-                    direction[d] = directions[d][component];
-                  held.add(direction);
-                }
+                for (const Tensor<2, dim> &axes : directions)
+                  {
+                    Tensor<1, dim> direction;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      direction[d] = axes[d][component];
+                    held.add(direction);
+                  }
 
+              const std::string mistake =
+                NumberRange()
+                  .in(type == BoundaryType::traction ? "Pa" : "m/s")
+                  .mistaken_unit(expression);
+              if (!mistake.empty())
+                throw InputError(naming(path + axis + " value", expression) +
+                                 ": " + mistake + ".");
               if (type == BoundaryType::velocity ||
                   type == BoundaryType::traction)
                 check_expression(path + axis + " value",
@@ -400,16 +458,17 @@ namespace StickSlip
             }
         }
 
-      for (unsigned int component = 0; component < dim; ++component)
+      for (unsigned int component = 0; component < scene.n_components();
+           ++component)
         if (NodeConstraint<dim>(held).add(Point<dim>::unit_vector(component)))
           throw InputError(
             "'Boundary conditions/Sides': no side of " +
             (scene.mesh != nullptr ? "any body" :
                                      "the lowest body '" + lowest.name + "'") +
-            " has '" + "xyz"[component] +
+            " has '" + scene.axis_name(component) +
             " condition' = 'fixed' or 'velocity', so the bodies could float "
             "away along " +
-            "xyz"[component] + "; at least one must.");
+            scene.axis_name(component) + "; at least one must.");
     }
   } // namespace
 
@@ -419,8 +478,6 @@ namespace StickSlip
   void
   check_scene(const SceneParameters<dim> &scene)
   {
-    check_time(scene.time);
-    check_output(scene.output, scene.time.inertia);
     if (scene.mesh == nullptr)
       check_bodies(scene);
     else
@@ -431,6 +488,7 @@ namespace StickSlip
       }
     check_materials(scene);
     check_faults(scene);
+    check_antiplane(scene);
     check_doubling(scene);
     check_boundary_conditions(scene);
 
@@ -440,6 +498,16 @@ namespace StickSlip
         "'Output/Event start slip rate' = '0': stands for twice the largest "
         "prescribed velocity, which is 0 in this scene; give a slip rate > 0 "
         "m/s.");
+  }
+
+
+
+  template <int dim>
+  void
+  check_limits(const SceneParameters<dim> &scene)
+  {
+    check_time(scene.time);
+    check_output(scene.output, scene.time.inertia);
   }
 
 
@@ -468,6 +536,8 @@ namespace StickSlip
 
   template decltype(check_scene<2>)         check_scene<2>;
   template decltype(check_scene<3>)         check_scene<3>;
+  template decltype(check_limits<2>)        check_limits<2>;
+  template decltype(check_limits<3>)        check_limits<3>;
   template decltype(check_process_count<2>) check_process_count<2>;
   template decltype(check_process_count<3>) check_process_count<3>;
 } // namespace StickSlip

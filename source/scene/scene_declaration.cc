@@ -65,12 +65,12 @@ namespace StickSlip
       add_number(prm,
                  "Length unit",
                  scene.mesh_entries.length_unit,
-                 NumberRange().above(0),
+                 NumberRange().above(0).in("m"),
                  "Unit of length in the mesh files, in m.");
       add_number(prm,
                  "Base elevation",
                  scene.bodies.front().geometry.base,
-                 NumberRange(),
+                 NumberRange().in("m"),
                  "Elevation of the lower side of the lowest body, in m.");
       prm.leave_subsection();
       for (BodyParameters<dim> &body : scene.bodies)
@@ -306,8 +306,19 @@ namespace StickSlip
     prm.declare_entry("Dimension",
                       std::to_string(dim),
                       NumberRange().whole().at_least(2).at_most(3),
-                      "Dimension of space: 2 (plane strain) or 3. The last "
-                      "axis is vertical.");
+                      "Dimension of space: 2 or 3. The last axis is "
+                      "vertical.");
+    add_choice(prm,
+               "Deformation",
+               scene.deformation,
+               {{Deformation::plane_strain, "plane strain"},
+                {Deformation::antiplane, "antiplane"}},
+               "In two dimensions: displacements in the plane (plane strain), "
+               "or out of it only (antiplane), along z, as of a strike-slip "
+               "fault whose slip does not depend on z. Then conditions on "
+               "sides are 'z condition' and 'z value', what entries of faults "
+               "say of the x axis holds for z, contact is bilateral, and the "
+               "normal stress is given.");
     declare_bodies(prm, scene);
     declare_faults(prm, scene);
     declare_boundary_conditions(prm, scene);
@@ -316,13 +327,13 @@ namespace StickSlip
     add_number(prm,
                "Acceleration",
                scene.gravity,
-               NumberRange().at_least(0),
+               NumberRange().at_least(0).in("m/s^2"),
                "Acceleration of gravity, downwards, in m/s^2.");
     add_number(
       prm,
       "Dip",
       scene.dip,
-      NumberRange().above(-90).below(90),
+      NumberRange().above(-90).below(90).in("degrees"),
       "Angle by which the faults dip towards positive x, in degrees. "
       "The axes of the scene stay along the faults: gravity has a part "
       "g sin(dip) along x, and g cos(dip) presses the bodies "

@@ -54,6 +54,7 @@ namespace StickSlip
         body.side_names          = mesh->bodies[b].side_names;
         body.uniform_refinements = geometry.uniform_refinements;
         body.refinement_passes   = geometry.refinement_passes;
+        body.refinement_rows     = geometry.refinement_rows;
         body.refine_where        = geometry.where_to_refine();
         body.rigid               = geometry.rigid;
       }

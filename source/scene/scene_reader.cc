@@ -5,10 +5,13 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/base/input_error.h>
+#include <stickslip/base/machine_memory.h>
 #include <stickslip/parameters/name_list.h>
+#include <stickslip/scene/automatic_limits.h>
 #include <stickslip/scene/coarser_mesh_files.h>
 #include <stickslip/scene/entry_assignment.h>
 #include <stickslip/scene/known_entries.h>
+#include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/scene_reader.h>
@@ -202,7 +205,8 @@ namespace StickSlip
       }
     condition.side = side->first;
 
-    // Entries depend on the axes.
+    // Entries depend on components and axes.
+    condition.n_components = scene.n_components();
     if (value_of("Boundary conditions/" + name + "/Axes") == "side")
       condition.axes = BoundaryAxes::side;
 
@@ -255,6 +259,22 @@ namespace StickSlip
 
 
 
+  std::array<std::vector<MeshFault::Side>, 2>
+  SceneReader::parsed_between(const FaultParameters &fault) const
+  {
+    const std::string entry = fault.section() + "/Between";
+    try
+      {
+        return parse_between(value_of(entry));
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("'" + entry + "': " + error.what());
+      }
+  }
+
+
+
   template <int dim>
   void
   SceneReader::read_mesh(SceneParameters<dim> &scene) const
@@ -266,7 +286,7 @@ namespace StickSlip
 
     if (const Assignment *const unit = find("Bodies/Length unit"))
       {
-        const NumberRange positive = NumberRange().above(0);
+        const NumberRange positive = NumberRange().above(0).in("m");
         if (!positive.match(unit->value))
           throw InputError(naming(*unit) + ": must be " +
                            positive.description() + ".");
@@ -277,15 +297,7 @@ namespace StickSlip
         entries.faults.push_back({value_of(fault.section() + "/Mesh group"),
                                   value_of(fault.section() + "/Between"),
                                   has_gap_from_mesh(fault)});
-        try
-          {
-            parse_between(entries.faults.back().between);
-          }
-        catch (const InputError &error)
-          {
-            throw InputError("'" + fault.section() +
-                             "/Between': " + error.what());
-          }
+        parsed_between(fault);
       }
     // Files say where cells are small, unless the scene asks for more.
     for (BodyParameters<dim> &body : scene.bodies)
@@ -323,19 +335,33 @@ namespace StickSlip
         blocks.push_back(parameters.block.template block<dim>(body.name));
         blocks.back().cells = parameters.geometry.coarse_cells;
       }
+    MeshEstimate estimate;
+    for (const Block<dim> &block : blocks)
+      {
+        double cells = 1.;
+        for (const unsigned int n : block.cells)
+          cells *= n;
+        estimate.cells += cells;
+      }
+    estimate.nodes = estimate.cells;
+    refuse_too_large(estimate, dim, 1, machine_memory());
     std::vector<MeshFault> faults;
     for (const FaultParameters &fault : scene.faults)
       {
         const std::string entry = fault.section() + "/Between";
+        parsed_between(fault);
         check_between_blocks<dim>(entry, value_of(entry), body_names);
         faults.push_back({fault.name,
                           fault.name,
-                          parse_between(value_of(entry)),
+                          parsed_between(fault),
                           has_gap_from_mesh(fault)});
+        if (value_of(fault.section() + "/Shape") == "smooth")
+          smoothen(blocks, faults.back());
       }
-    scene.mesh = std::make_shared<const CutMesh<dim>>(
-      cut_at_faults(cells_of_blocks(blocks), faults));
-    scene.topology = scene.mesh->topology;
+    CutMesh<dim> mesh = cut_at_faults(cells_of_blocks(blocks), faults);
+    note_outlines(blocks, mesh);
+    scene.topology = mesh.topology;
+    scene.mesh     = std::make_shared<const CutMesh<dim>>(std::move(mesh));
   }
 
 
@@ -345,6 +371,8 @@ namespace StickSlip
   SceneReader::named_scene() const
   {
     SceneParameters<dim> scene;
+    if (value_of("Deformation") == "antiplane")
+      scene.deformation = Deformation::antiplane;
     for (const std::string &name : names("Bodies/Names", 1))
       {
         scene.bodies.emplace_back();
@@ -404,17 +432,30 @@ namespace StickSlip
   {
     Assert(dim == dimension(), ExcDimensionMismatch(dim, dimension()));
 
-    SceneParameters<dim> scene;
     try
       {
-        scene = named_scene<dim>();
-      }
-    catch (const InputError &)
-      {
-        // Entries that are missing may be there under a misspelt name.
         refuse_unknown_entries(assignments);
-        throw;
+        // The form of lists first, then what is not in them.
+        names("Bodies/Names", 1);
+        for (const std::string &fault : names("Faults/Names", 1))
+          names("Faults/" + fault + "/Regions/Names", 1);
+        refuse_unlisted_names(assignments, {"Bodies", "Faults"});
+        return checked_scene<dim>();
       }
+    catch (const InputError &error)
+      {
+        throw InputError(with_origin(error.what()));
+      }
+  }
+
+
+
+  template <int dim>
+  SceneParameters<dim>
+  SceneReader::checked_scene() const
+  {
+    SceneParameters<dim> scene = named_scene<dim>();
+    refuse_unlisted_names(assignments, {"Boundary conditions"});
     const MeshEntries mesh_entries = scene.mesh_entries;
     {
       ParameterHandler prm;
@@ -453,7 +494,105 @@ namespace StickSlip
                                 std::filesystem::path(file_name).stem())
                                  .string();
     check_scene(scene);
+    derive_limits(scene);
+    check_limits(scene);
     return scene;
+  }
+
+
+
+  std::vector<std::string>
+  SceneReader::warnings() const
+  {
+    std::vector<std::string> result;
+    const auto               look_for = [&](const std::string &section,
+                              const std::string &list,
+                              const unsigned int words) {
+      for (const std::string &name : names(section + "/" + list, words))
+        {
+          const std::string beginning = section + "/" + name + "/";
+          if (std::none_of(assignments.begin(),
+                           assignments.end(),
+                           [&beginning](const Assignment &assignment) {
+                             return assignment.path().rfind(beginning, 0) == 0;
+                           }))
+            result.push_back("'" + section + "/" + list + "': lists '" + name +
+                             "', for which the scene says nothing, so that all "
+                                           "of it is as by default.");
+        }
+    };
+    look_for("Bodies", "Names", 1);
+    look_for("Faults", "Names", 1);
+    for (const std::string &fault : names("Faults/Names", 1))
+      look_for("Faults/" + fault + "/Regions", "Names", 1);
+    look_for("Boundary conditions", "Sides", 2);
+    return result;
+  }
+
+
+
+  std::string
+  SceneReader::with_origin(const std::string &message) const
+  {
+    const std::size_t end_of_path = message.find('\'', 1);
+    if (message.empty() || message[0] != '\'' ||
+        end_of_path == std::string::npos)
+      return message;
+    std::string path = message.substr(1, end_of_path - 1);
+    // One of several components.
+    if (path.back() == ')')
+      path.erase(path.rfind(" ("));
+    const Assignment *const assignment = find_or_inherited(path);
+    if (assignment == nullptr)
+      return with_origin_of_other(message, path);
+
+    // The value follows, if at all, as it was understood.
+    const std::string before_value = " = '";
+    std::size_t       end          = end_of_path + 1;
+    if (message.compare(end, before_value.size(), before_value) == 0)
+      end = message.find('\'', end + before_value.size()) + 1;
+    if (end == 0 || message.compare(end, 2, " (") == 0)
+      return message;
+    Assignment named = *assignment;
+    return message.substr(0, end_of_path + 1) + " = '" + named.value + "' (" +
+           named.origin + ")" + message.substr(end);
+  }
+
+
+
+  std::string
+  SceneReader::with_origin_of_other(const std::string &message,
+                                    const std::string &path) const
+  {
+    const std::string section = path.substr(0, path.rfind('/') + 1);
+    for (const Assignment &assignment : assignments)
+      {
+        const std::string named = "'" + assignment.entry + "' = '";
+        const std::size_t place = message.find(named);
+        if (place == std::string::npos ||
+            section + assignment.entry != assignment.path())
+          continue;
+        const std::size_t end = message.find('\'', place + named.size());
+        if (end != std::string::npos)
+          return message.substr(0, end + 1) + " (" + assignment.origin + ")" +
+                 message.substr(end + 1);
+      }
+    return message;
+  }
+
+
+
+  const Assignment *
+  SceneReader::find_or_inherited(const std::string &path) const
+  {
+    if (const Assignment *const assignment = find(path))
+      return assignment;
+    // Entries that a region does not set are as in its fault.
+    const std::string regions = "/Regions/";
+    const std::size_t begin = path.find(regions), end = path.rfind('/');
+    return begin == std::string::npos ?
+             nullptr :
+             find(path.substr(0, begin) + path.substr(end));
   }
 
 

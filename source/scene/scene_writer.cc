@@ -3,9 +3,11 @@
 
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/parameters/declared_entries.h>
+#include <stickslip/scene/automatic_limits.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/scene_writer.h>
 
+#include <algorithm>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -25,12 +27,12 @@ namespace StickSlip
 
 
 
-    // A scene of three dimensions, which has all the entries. The names stand
-    // for any name. Two bodies, so that there is a fault.
-    SceneParameters<3>
+    // The names stand for any name. Two bodies, so that there is a fault.
+    template <int dim>
+    SceneParameters<dim>
     placeholder_scene()
     {
-      SceneParameters<3> scene;
+      SceneParameters<dim> scene;
       scene.bodies.resize(2);
       scene.bodies[0].name = "BODY";
       scene.bodies[1].name = "BODY-ABOVE";
@@ -78,7 +80,8 @@ namespace StickSlip
   {
     // Declared with the scene's values as defaults, the handler shows them.
     SceneParameters<dim> copy = scene;
-    ParameterHandler     prm;
+    fix_limits(copy);
+    ParameterHandler prm;
     declare_scene(prm, copy);
     out << "# Everything that was used, defaults included.\n";
     prm.print_parameters(out,
@@ -125,9 +128,31 @@ namespace StickSlip
   entries_of_any_scene()
   {
     ParameterHandler   prm;
-    SceneParameters<3> scene = placeholder_scene();
+    SceneParameters<3> scene = placeholder_scene<3>();
     declare_scene(prm, scene);
-    return declared_entries(prm);
+    std::vector<DeclaredEntry> entries = declared_entries(prm);
+
+    // Entries that two dimensions alone have come after others of their
+    // section.
+    ParameterHandler   prm_of_plane;
+    SceneParameters<2> plane = placeholder_scene<2>();
+    declare_scene(prm_of_plane, plane);
+    for (const DeclaredEntry &entry : declared_entries(prm_of_plane))
+      {
+        const auto is_same = [&entry](const DeclaredEntry &other) {
+          return other.sections == entry.sections && other.name == entry.name;
+        };
+        if (std::any_of(entries.begin(), entries.end(), is_same))
+          continue;
+        const auto last =
+          std::find_if(entries.rbegin(),
+                       entries.rend(),
+                       [&entry](const auto &other) {
+                         return other.sections == entry.sections;
+                       });
+        entries.insert(last.base(), entry);
+      }
+    return entries;
   }
 
 
@@ -146,7 +171,19 @@ namespace StickSlip
            "dimensions.\n`include FILE` takes in another file, found next to "
            "the including one, whose values may be set anew.\n`#` begins a "
            "comment. An entry is overridden on the command line by `--set "
-           "'Section/Subsection/Entry=value'`.\n";
+           "'Section/Subsection/Entry=value'`.\n\n"
+        << "Numbers are in the unit that their entry names, which is of SI (or "
+           "degrees), or are followed by one\nof the same kind: `30 GPa`, "
+           "`1e-9 m/s`, `35 mm/yr`, `1e18 Pa s`, `2.7 g/cm^3`, `60 deg`; in "
+           "lists and points each\nhas its own: `-20 km, 20 km`. Names of "
+           "units are m, km, cm, mm, um, nm; kg, g; s, ms, h, d (day, days), "
+           "yr\n(year, years), kyr, Myr, a year being 365 days; Pa, kPa, MPa, "
+           "GPa, bar; deg (degree, degrees), rad; and\nproducts of their "
+           "powers, by a blank, `*` or `/`. In expressions a unit after a "
+           "number or a parenthesis\nmultiplies it by its value in SI units, "
+           "unchecked: `if(x < 5 km, 30 GPa, 40 GPa)`; the coordinates are in "
+           "m,\ntime is in s, and units with powers (`^`) are not known "
+           "there. Values in tables have no units.\n";
 
     std::string current = "none yet";
     for (const DeclaredEntry &entry : entries_of_any_scene())

@@ -34,6 +34,23 @@ namespace StickSlip
       points.emplace_back(0.5 * (lower + upper));
       return points;
     }
+
+
+
+    template <int dim>
+    unsigned int
+    body_number(const SceneParameters<dim>   &scene,
+                const BoundaryCondition<dim> &condition)
+    {
+      const auto body =
+        std::find_if(scene.bodies.begin(),
+                     scene.bodies.end(),
+                     [&condition](const BodyParameters<dim> &candidate) {
+                       return candidate.name == condition.body;
+                     });
+      Assert(body != scene.bodies.end(), ExcMessage("There is no such body."));
+      return body - scene.bodies.begin();
+    }
   } // namespace
 
 
@@ -43,28 +60,21 @@ namespace StickSlip
   side_points(const SceneParameters<dim>   &scene,
               const BoundaryCondition<dim> &condition)
   {
-    const auto body =
-      std::find_if(scene.bodies.begin(),
-                   scene.bodies.end(),
-                   [&condition](const BodyParameters<dim> &candidate) {
-                     return candidate.name == condition.body;
-                   });
-    Assert(body != scene.bodies.end(), ExcMessage("There is no such body."));
-
+    const unsigned int number = body_number(scene, condition);
     if (scene.mesh != nullptr)
-      return scene.mesh->bodies[body - scene.bodies.begin()].vertices_on(
-        condition.side);
+      return scene.mesh->bodies[number].vertices_on(condition.side);
 
-    const unsigned int axis  = condition.side / 2;
-    Point<dim>         lower = body->geometry.lower_corner();
-    Point<dim>         upper = body->geometry.upper_corner();
+    const BodyGeometry<dim> &geometry = scene.bodies[number].geometry;
+    const unsigned int       axis     = condition.side / 2;
+    Point<dim>               lower    = geometry.lower_corner();
+    Point<dim>               upper    = geometry.upper_corner();
     if (condition.side % 2 == 0)
       upper[axis] = lower[axis];
     else
       lower[axis] = upper[axis];
     std::vector<Point<dim>> points = brick_points(lower, upper, axis);
     for (Point<dim> &point : points)
-      point = body->geometry.placed(point);
+      point = geometry.placed(point);
     return points;
   }
 
@@ -89,24 +99,56 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** The axes of the plane through some points. */
+    template <int dim>
+    Tensor<2, dim>
+    axes_through(const std::vector<Point<dim>> &points)
+    {
+      // The longest edge from the first point, and the largest triangle with
+      // it.
+      Tensor<1, dim> edge, normal;
+      for (const Point<dim> &point : points)
+        if ((point - points[0]).norm() > edge.norm())
+          edge = point - points[0];
+      for (const Point<dim> &point : points)
+        if (const Tensor<1, dim> candidate = normal_to(edge, point - points[0]);
+            candidate.norm() > normal.norm())
+          normal = candidate;
+      return axes_of_side(Tensor<1, dim>(normal / normal.norm()));
+    }
+  } // namespace
+
+
+
   template <int dim>
-  Tensor<2, dim>
+  std::vector<Tensor<2, dim>>
   side_directions(const SceneParameters<dim>   &scene,
                   const BoundaryCondition<dim> &condition)
   {
     if (condition.axes == BoundaryAxes::space)
-      return unit_symmetric_tensor<dim>();
-    const std::vector<Point<dim>> points = side_points(scene, condition);
-    // The longest edge from the first point, and the largest triangle with it.
-    Tensor<1, dim> edge, normal;
-    for (const Point<dim> &point : points)
-      if ((point - points[0]).norm() > edge.norm())
-        edge = point - points[0];
-    for (const Point<dim> &point : points)
-      if (const Tensor<1, dim> candidate = normal_to(edge, point - points[0]);
-          candidate.norm() > normal.norm())
-        normal = candidate;
-    return axes_of_side(Tensor<1, dim>(normal / normal.norm()));
+      return {unit_symmetric_tensor<dim>()};
+    if (scene.mesh == nullptr)
+      return {axes_through(side_points(scene, condition))};
+    std::vector<Tensor<2, dim>> directions;
+    const BodyCells<dim>       &body =
+      scene.mesh->bodies[body_number(scene, condition)];
+    const auto look_at = [&](const auto &faces) {
+      for (const auto &face : faces)
+        if (face.boundary_id == condition.side)
+          {
+            std::vector<Point<dim>> vertices;
+            for (const unsigned int v : face.vertices)
+              vertices.push_back(body.vertices[v]);
+            directions.push_back(axes_through(vertices));
+          }
+    };
+    if constexpr (dim == 2)
+      look_at(body.boundary.boundary_lines);
+    else
+      look_at(body.boundary.boundary_quads);
+    return directions;
   }
 
 
@@ -133,7 +175,8 @@ namespace StickSlip
     template <int dim>
     std::vector<Point<dim>>
     points_between(const BodyGeometry<dim> &below,
-                   const BodyGeometry<dim> &above)
+                   const BodyGeometry<dim> &above,
+                   const unsigned int       n_intervals)
     {
       Point<dim> lower = above.lower_corner();
       Point<dim> upper = below.upper_corner();
@@ -148,8 +191,7 @@ namespace StickSlip
         }
 
       // The corners and the centre first, which are easier to read in messages.
-      std::vector<Point<dim>> points      = brick_points(lower, upper, dim - 1);
-      constexpr unsigned int  n_intervals = 20;
+      std::vector<Point<dim>> points = brick_points(lower, upper, dim - 1);
       for (unsigned int i = 0; i < Utilities::pow(n_intervals + 1, dim - 1);
            ++i)
         {
@@ -173,7 +215,9 @@ namespace StickSlip
 
   template <int dim>
   std::vector<Point<dim>>
-  fault_points(const SceneParameters<dim> &scene, const unsigned int fault)
+  fault_points(const SceneParameters<dim> &scene,
+               const unsigned int          fault,
+               const unsigned int          n_intervals)
   {
     const auto [below, above] = scene.below_and_above(fault);
     std::vector<Point<dim>> points;
@@ -189,7 +233,8 @@ namespace StickSlip
       for (const BodySide &upper : above)
         for (const Point<dim> &point :
              points_between(scene.bodies[lower.body].geometry,
-                            scene.bodies[upper.body].geometry))
+                            scene.bodies[upper.body].geometry,
+                            n_intervals))
           points.push_back(point);
     return points;
   }

@@ -123,10 +123,22 @@ namespace StickSlip
             geometry.lateral_upper[axis] - geometry.lateral_lower[axis];
           if (!(geometry.thickness * largest_ratio >= width &&
                 width * largest_ratio >= geometry.thickness))
-            throw InputError(
-              naming("Bodies/" + body.name + "/Thickness", geometry.thickness) +
-              ": is out of all proportion to the width along " + "xy"[axis] +
-              ", " + shortest_form(width) + " m.");
+            {
+              const std::string path  = "Bodies/" + body.name + "/";
+              const std::string which = std::string("width along ") +
+                                        "xy"[axis] + ", " +
+                                        shortest_form(width) + " m";
+              if (width < geometry.thickness)
+                throw InputError(
+                  naming(path + "Upper lateral corner",
+                         geometry.lateral_upper[axis]) +
+                  ": is so near to 'Lower lateral corner' that the " + which +
+                  ", is out of all proportion to " +
+                  naming("Thickness", geometry.thickness) + ".");
+              throw InputError(naming(path + "Thickness", geometry.thickness) +
+                               ": is out of all proportion to the " + which +
+                               ".");
+            }
         }
     }
 

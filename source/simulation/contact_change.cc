@@ -10,25 +10,26 @@ namespace StickSlip
 {
   namespace
   {
-    template <int dim>
+    template <int dim, int n_components>
     void
-    change_rates(NodalVector                     &velocity,
-                 std::vector<Tensor<1, dim - 1>> &slip_rate,
-                 std::vector<double>             &opening_rate,
-                 const std::vector<double>       &gap,
-                 const ContactSpace<dim>         &space,
-                 const FaultNodes<dim>           &before,
-                 const FaultNodes<dim>           &now)
+    change_rates(NodalVector                           &velocity,
+                 std::vector<Tensor<1, dim - 1>>       &slip_rate,
+                 std::vector<double>                   &opening_rate,
+                 const std::vector<double>             &gap,
+                 const ContactSpace<dim, n_components> &space,
+                 const FaultNodes<dim>                 &before,
+                 const FaultNodes<dim>                 &now)
     {
       NodalVector w = space.make_vector();
       space.to_jumps(w, velocity);
       for (const unsigned int k : now.owned_contact())
         {
           if (gap.empty() || gap[k] == 0.)
-            w.local_element(now.node(k) * dim + dim - 1) = 0.;
+            for (unsigned int c = dim - 1; c < n_components; ++c)
+              w.local_element(now.node(k) * n_components + c) = 0.;
           if (before.in_contact(k))
             for (unsigned int d = 0; d < dim - 1; ++d)
-              w.local_element(now.node(k) * dim + d) = slip_rate[k][d];
+              w.local_element(now.node(k) * n_components + d) = slip_rate[k][d];
         }
       space.to_nodal(velocity, w);
       slip_rate = now.tangential_jumps(w);
@@ -171,10 +172,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  side_distances(const ContactSpace<dim> &space,
-                 const NodalVector       &displacement)
+  side_distances(const ContactSpace<dim, n_components> &space,
+                 const NodalVector                     &displacement)
   {
     const JumpBasis<dim> &basis = space.jump_basis();
     const MeshLevel<dim> &level = space.meshes().finest();
@@ -186,7 +187,7 @@ namespace StickSlip
         const auto                 positions = [&](const unsigned int side) {
           const FaultSurface<dim>    &surface = level.surface(f, side);
           std::vector<Tensor<1, dim>> result =
-            gather_nodes<dim>(displacement, level.nodes, surface.nodes);
+            gather_displacements<dim>(displacement, level.nodes, surface.nodes);
           for (unsigned int k = 0; k < result.size(); ++k)
             result[k] += surface.points[k];
           return result;
@@ -215,10 +216,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  distances_of_gaps(const ContactSpace<dim> &space,
-                    const SystemState<dim>  &state)
+  distances_of_gaps(const ContactSpace<dim, n_components> &space,
+                    const SystemState<dim>                &state)
   {
     if (!is_any_open(state) || !is_any_bent(space.jump_basis()))
       return {};
@@ -238,13 +239,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  change_contact(SystemState<dim>          &state,
-                 const ContactSpace<dim>   &space,
-                 const FaultNodes<dim>     &before,
-                 const FaultNodes<dim>     &now,
-                 const std::vector<double> &distances_before)
+  change_contact(SystemState<dim>                      &state,
+                 const ContactSpace<dim, n_components> &space,
+                 const FaultNodes<dim>                 &before,
+                 const FaultNodes<dim>                 &now,
+                 const std::vector<double>             &distances_before)
   {
     change_gaps(state,
                 space.jump_basis(),
@@ -288,10 +289,13 @@ namespace StickSlip
   template decltype(background_normal_stress<3>) background_normal_stress<3>;
   template decltype(side_distances<2>)           side_distances<2>;
   template decltype(side_distances<3>)           side_distances<3>;
+  template decltype(side_distances<2, 1>)        side_distances<2, 1>;
   template decltype(distances_of_gaps<2>)        distances_of_gaps<2>;
   template decltype(distances_of_gaps<3>)        distances_of_gaps<3>;
+  template decltype(distances_of_gaps<2, 1>)     distances_of_gaps<2, 1>;
   template decltype(is_any_open<2>)              is_any_open<2>;
   template decltype(is_any_open<3>)              is_any_open<3>;
   template decltype(change_contact<2>)           change_contact<2>;
   template decltype(change_contact<3>)           change_contact<3>;
+  template decltype(change_contact<2, 1>)        change_contact<2, 1>;
 } // namespace StickSlip

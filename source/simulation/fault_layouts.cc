@@ -40,7 +40,7 @@ namespace StickSlip
       {
         result.push_back(fault.slave_surface.points);
         const auto moved =
-          gather_nodes<dim>(displacement, nodes, fault.slave_nodes);
+          gather_displacements<dim>(displacement, nodes, fault.slave_nodes);
         for (unsigned int k = 0; k < moved.size(); ++k)
           result.back()[k] += moved[k];
       }

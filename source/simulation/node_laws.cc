@@ -3,6 +3,7 @@
 
 #include <stickslip/friction/common_parameters.h>
 #include <stickslip/friction/coulomb.h>
+#include <stickslip/simulation/fault_rigidity.h>
 #include <stickslip/simulation/node_laws.h>
 
 #include <algorithm>
@@ -21,23 +22,12 @@ namespace StickSlip
                       const unsigned int             fault,
                       const std::vector<Point<dim>> &points)
     {
-      std::vector<double> damping(points.size(), 0.);
       if (scene.time.inertia != Inertia::quasi_dynamic)
-        return damping;
-      for (const std::vector<BodySide> &side :
-           scene.topology.faults()[fault].sides)
-        for (const BodySide &part : side)
-          {
-            const BodyParameters<dim> &body = scene.bodies[part.body];
-            if (body.geometry.rigid)
-              continue;
-            const auto material = body.material.template function<dim>();
-            for (unsigned int k = 0; k < points.size(); ++k)
-              if (scene.nearest_body(side, points[k]) == part.body)
-                damping[k] +=
-                  1. / material(scene.within_body(part.body, points[k]))
-                         .shear_impedance();
-          }
+        return std::vector<double>(points.size(), 0.);
+      std::vector<double> damping =
+        sum_over_sides(scene, fault, points, [](const Material &material) {
+          return 1. / material.shear_impedance();
+        });
       for (double &value : damping)
         value = 1. / value;
       return damping;

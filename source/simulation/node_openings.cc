@@ -34,10 +34,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<NodeOpening>
-  make_node_openings(const SceneParameters<dim> &scene,
-                     const ContactSpace<dim>    &space)
+  make_node_openings(const SceneParameters<dim>            &scene,
+                     const ContactSpace<dim, n_components> &space)
   {
     std::vector<NodeOpening> result;
     if (!may_any_open(scene))
@@ -107,8 +107,9 @@ namespace StickSlip
 
 
 
-  template decltype(make_node_openings<2>) make_node_openings<2>;
-  template decltype(make_node_openings<3>) make_node_openings<3>;
-  template decltype(make_opening_parts<2>) make_opening_parts<2>;
-  template decltype(make_opening_parts<3>) make_opening_parts<3>;
+  template decltype(make_node_openings<2>)    make_node_openings<2>;
+  template decltype(make_node_openings<3>)    make_node_openings<3>;
+  template decltype(make_node_openings<2, 1>) make_node_openings<2, 1>;
+  template decltype(make_opening_parts<2>)    make_opening_parts<2>;
+  template decltype(make_opening_parts<3>)    make_opening_parts<3>;
 } // namespace StickSlip

@@ -79,12 +79,12 @@ namespace StickSlip
         {
           if (condition.body != scene.bodies[body].name)
             continue;
-          const Tensor<2, dim> directions = side_directions(scene, condition);
-          for (unsigned int c = 0; c < dim; ++c)
-            if ((condition.type[c] == BoundaryType::fixed ||
-                 condition.type[c] == BoundaryType::velocity) &&
-                std::abs(directions[axis][c]) > 1e-3)
-              return true;
+          for (const Tensor<2, dim> &axes : side_directions(scene, condition))
+            for (unsigned int c = 0; c < dim; ++c)
+              if ((condition.type[c] == BoundaryType::fixed ||
+                   condition.type[c] == BoundaryType::velocity) &&
+                  std::abs(axes[axis][c]) > 1e-3)
+                return true;
         }
       return false;
     }
@@ -112,8 +112,8 @@ namespace StickSlip
           if (!is_held)
             throw InputError(
               "'Time/Inertia' = 'quasi-static': nothing holds the body '" +
-              scene.bodies[k].name + "' along " + "xy"[axis] +
-              ", neither a side with '" + "xy"[axis] +
+              scene.bodies[k].name + "' along " + scene.axis_name(axis) +
+              ", neither a side with '" + scene.axis_name(axis) +
               " condition' = 'fixed' or 'velocity' nor friction that grows with the "
               "slip rate, "
               "so that without inertia its velocity is not determined; hold "
@@ -126,15 +126,15 @@ namespace StickSlip
 
   template <int dim>
   std::string
-  say_what_has_opened(const SceneParameters<dim> &scene,
-                      const FaultNodes<dim>      &faults,
-                      const SystemState<dim>     &state)
+  explain_failure(const SceneParameters<dim> &scene,
+                  const FaultNodes<dim>      &faults,
+                  const SystemState<dim>     &state)
   {
     constexpr double most_of_it = 0.5;
 
-    if (scene.time.inertia == Inertia::dynamic || state.gap.empty())
+    if (scene.time.inertia == Inertia::dynamic)
       return "";
-    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+    for (unsigned int f = 0; f < scene.faults.size() && !state.gap.empty(); ++f)
       {
         double open = 0., area = 0.;
         for (unsigned int k = faults.first_of_fault()[f];
@@ -157,13 +157,17 @@ namespace StickSlip
             return text.str();
           }
       }
+    if (scene.time.inertia == Inertia::quasi_static)
+      return " With Time/Inertia = quasi-static slip rates can grow without "
+             "bound where a fault becomes unstable; with quasi-dynamic and "
+             "dynamic they do not.";
     return "";
   }
 
 
 
-  template decltype(say_what_has_opened<2>) say_what_has_opened<2>;
-  template decltype(say_what_has_opened<3>) say_what_has_opened<3>;
-  template decltype(check_restraint<2>)     check_restraint<2>;
-  template decltype(check_restraint<3>)     check_restraint<3>;
+  template decltype(explain_failure<2>) explain_failure<2>;
+  template decltype(explain_failure<3>) explain_failure<3>;
+  template decltype(check_restraint<2>) check_restraint<2>;
+  template decltype(check_restraint<3>) check_restraint<3>;
 } // namespace StickSlip

@@ -11,11 +11,15 @@
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/fault_layouts.h>
+#include <stickslip/simulation/fault_rigidity.h>
 #include <stickslip/simulation/run_record.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 namespace StickSlip
 {
@@ -46,13 +50,14 @@ namespace StickSlip
     std::vector<VolumeMaterial<dim>>
     volume_materials(const SceneParameters<dim> &scene)
     {
-      static const std::vector<
-        std::pair<std::string, SpatialField MaterialFields::*>>
-        entries = {{"youngs_modulus", &MaterialFields::youngs_modulus},
-                   {"poissons_ratio", &MaterialFields::poissons_ratio},
-                   {"density", &MaterialFields::density},
-                   {"shear_viscosity", &MaterialFields::shear_viscosity},
-                   {"bulk_viscosity", &MaterialFields::bulk_viscosity}};
+      using Entry =
+        std::tuple<std::string, std::string, SpatialField MaterialFields::*>;
+      static const std::vector<Entry> entries = {
+        {"youngs_modulus", "Pa", &MaterialFields::youngs_modulus},
+        {"poissons_ratio", "1", &MaterialFields::poissons_ratio},
+        {"density", "kg/m^3", &MaterialFields::density},
+        {"shear_viscosity", "Pa s", &MaterialFields::shear_viscosity},
+        {"bulk_viscosity", "Pa s", &MaterialFields::bulk_viscosity}};
 
       std::vector<VolumeMaterial<dim>> result;
       for (const BodyParameters<dim> &body : scene.bodies)
@@ -66,7 +71,7 @@ namespace StickSlip
                                     material.shear_modulus());
             };
         }
-      for (const auto &[name, field] : entries)
+      for (const auto &[name, units, field] : entries)
         if (std::any_of(scene.bodies.begin(),
                         scene.bodies.end(),
                         [field = field](const BodyParameters<dim> &body) {
@@ -75,21 +80,46 @@ namespace StickSlip
           for (unsigned int b = 0; b < scene.bodies.size(); ++b)
             {
               const MaterialFields &material = scene.bodies[b].material;
-              result[b].fields.emplace_back(
-                name,
-                (material.*field).template function<dim>(material.section));
+              result[b].fields.push_back(
+                {name,
+                 units,
+                 (material.*field).template function<dim>(material.section)});
             }
       return result;
+    }
+
+
+
+    /** Collective. */
+    template <int dim, int n_components>
+    EnergyRecord
+    energy_record(const EnergyBalance<dim, n_components> &energy,
+                  const SystemState<dim>                 &state)
+    {
+      const EnergyTerms &work = energy.work();
+      EnergyRecord       record;
+      record.time         = state.time;
+      record.kinetic      = energy.kinetic_energy(state);
+      record.elastic      = energy.elastic_energy(state);
+      record.driven_sides = work.driven_sides;
+      record.loads        = work.loads;
+      record.friction     = work.friction;
+      record.viscosity    = work.viscosity;
+      record.radiation    = work.radiation;
+      record.contact      = work.contact;
+      record.missing      = energy.missing(record.kinetic + record.elastic);
+      return record;
     }
   } // namespace
 
 
 
-  template <int dim>
-  RunRecord<dim>::Files::Files(const SceneParameters<dim>            &scene,
-                               const std::vector<FaultSnapshot<dim>> &faults,
-                               const std::vector<FaultLayout<dim>>   &shapes,
-                               const RecordState                     *earlier)
+  template <int dim, int n_components>
+  RunRecord<dim, n_components>::Files::Files(
+    const SceneParameters<dim>            &scene,
+    const std::vector<FaultSnapshot<dim>> &faults,
+    const std::vector<FaultLayout<dim>>   &shapes,
+    const RecordState                     *earlier)
     : directory(prepared_directory(scene.output.directory, earlier))
     , catalogue(directory.file("events.csv"),
                 names_of(scene.faults),
@@ -108,6 +138,12 @@ namespace StickSlip
                                                         faults,
                                                         earlier->time_series) :
                       std::make_unique<TimeSeries<dim>>(series_file, faults);
+    const std::string energy_file = directory.file("energy.csv");
+    if (scene.output.time_series_steps > 0 && scene.output.energy_balance)
+      energies =
+        earlier != nullptr && earlier->energies.size > 0 ?
+          std::make_unique<EnergySeries>(energy_file, earlier->energies) :
+          std::make_unique<EnergySeries>(energy_file, dim);
     if (scene.output.write_faults)
       history = earlier != nullptr && earlier->history.size > 0 ?
                   std::make_unique<FaultHistory<dim>>(history_file,
@@ -131,16 +167,36 @@ namespace StickSlip
         volumes.resume(earlier->volumes);
         surfaces.resume(earlier->surfaces);
       }
+    describe_tables(faults);
     write_parameters(scene, directory.file("parameters.prm"));
   }
 
 
 
-  template <int dim>
-  RunRecord<dim>::RunRecord(const SceneParameters<dim>            &scene,
-                            const ContactSpace<dim>               &space,
-                            const std::vector<FaultSnapshot<dim>> &faults,
-                            const RecordState                     *earlier)
+  template <int dim, int n_components>
+  void
+  RunRecord<dim, n_components>::Files::describe_tables(
+    const std::vector<FaultSnapshot<dim>> &faults) const
+  {
+    std::vector<std::pair<std::string, TableColumns>> tables;
+    if (time_series)
+      tables.emplace_back("time_series.csv", TimeSeries<dim>::columns(faults));
+    if (energies)
+      tables.emplace_back("energy.csv", EnergySeries::columns(dim));
+    tables.emplace_back("events.csv", catalogue.columns());
+    if (openings)
+      tables.emplace_back("openings.csv", openings->columns());
+    write_columns(directory.file("columns.csv"), tables);
+  }
+
+
+
+  template <int dim, int n_components>
+  RunRecord<dim, n_components>::RunRecord(
+    const SceneParameters<dim>            &scene,
+    const ContactSpace<dim, n_components> &space,
+    const std::vector<FaultSnapshot<dim>> &faults,
+    const RecordState                     *earlier)
     : scene(scene)
     , space(space)
     , communicator(space.meshes().finest().nodes.communicator())
@@ -148,11 +204,13 @@ namespace StickSlip
     , volume_cadence(scene.output.volume_cadence)
   {
     carry_out_agreed(communicator, [&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        files = std::make_unique<Files>(scene,
-                                        faults,
-                                        make_fault_layouts(space.jump_basis()),
-                                        earlier);
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      std::vector<FaultLayout<dim>> shapes =
+        make_fault_layouts(space.jump_basis());
+      for (unsigned int f = 0; f < shapes.size(); ++f)
+        shapes[f].rigidity = fault_rigidity(scene, f, shapes[f].surface.points);
+      files = std::make_unique<Files>(scene, faults, shapes, earlier);
     });
     if (earlier == nullptr)
       return;
@@ -169,11 +227,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::add(const StepRecord                      &step,
-                      const SystemState<dim>                &state,
-                      const std::vector<FaultSnapshot<dim>> &faults)
+  RunRecord<dim, n_components>::add(
+    const StepRecord                       &step,
+    const SystemState<dim>                 &state,
+    const std::vector<FaultSnapshot<dim>>  &faults,
+    const EnergyBalance<dim, n_components> *energy)
   {
     last_step   = step;
     last_faults = faults;
@@ -196,6 +256,7 @@ namespace StickSlip
 
     const unsigned int every = scene.output.time_series_steps;
     write(state,
+          energy,
           every > 0 && step.step > 0 && step.step % every == 0,
           scene.output.write_faults &&
             fault_cadence.is_due(step.time, last_slip_rate),
@@ -204,13 +265,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::write(const SystemState<dim> &state,
-                        const bool              series,
-                        const bool              fault_history,
-                        const bool              fields)
+  RunRecord<dim, n_components>::write(
+    const SystemState<dim>                 &state,
+    const EnergyBalance<dim, n_components> *energy,
+    const bool                              series,
+    const bool                              fault_history,
+    const bool                              fields)
   {
+    std::optional<EnergyRecord> energies;
+    if (series && energy != nullptr)
+      energies = energy_record(*energy, state);
     const bool volume   = fields && scene.output.write_volume,
                surfaces = fields && scene.output.write_fault_surfaces;
     const VolumeNodalValues values =
@@ -228,11 +294,14 @@ namespace StickSlip
           if (last_step.step > 0)
             files->progress.update(last_step.time,
                                    last_step.step_size,
-                                   last_slip_rate);
+                                   last_slip_rate,
+                                   files->catalogue.events().size());
         }
       if (series)
         {
           files->time_series->add(last_step, last_faults);
+          if (energies)
+            files->energies->add(*energies);
           in_time_series = true;
         }
       if (fault_history)
@@ -265,11 +334,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::complete_faults(const SystemState<dim> &state,
-                                  const bool              surfaces,
-                                  const bool              fault_history)
+  RunRecord<dim, n_components>::complete_faults(const SystemState<dim> &state,
+                                                const bool surfaces,
+                                                const bool fault_history)
   {
     const auto is_wanted = [&](const FaultField field) {
       return (surfaces || fault_history) &&
@@ -292,9 +361,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   VolumeNodalValues
-  RunRecord<dim>::gather_volume(const SystemState<dim> &state) const
+  RunRecord<dim, n_components>::gather_volume(
+    const SystemState<dim> &state) const
   {
     const std::vector<VolumeField> &fields = scene.output.volume_fields;
     VolumeNodalValues               values;
@@ -311,10 +381,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::write_volume_now(const unsigned int       number,
-                                   const VolumeNodalValues &values)
+  RunRecord<dim, n_components>::write_volume_now(
+    const unsigned int       number,
+    const VolumeNodalValues &values)
   {
     files->volumes.add(last_step.time,
                        {write_volume(scene.output.directory,
@@ -323,14 +394,15 @@ namespace StickSlip
                                      space.meshes().finest(),
                                      values,
                                      volume_materials(scene),
+                                     names_of(scene.bodies),
                                      scene.output.volume_fields)});
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::write_surfaces_now(const unsigned int number)
+  RunRecord<dim, n_components>::write_surfaces_now(const unsigned int number)
   {
     const std::vector<FaultLayout<dim>> shapes =
       make_fault_layouts(space.jump_basis());
@@ -347,9 +419,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   RecordState
-  RunRecord<dim>::state() const
+  RunRecord<dim, n_components>::state() const
   {
     RecordState state;
     state.fault_cadence    = fault_cadence.state();
@@ -370,6 +442,8 @@ namespace StickSlip
       state.surfaces = files->surfaces.entries();
       if (files->time_series)
         state.time_series = files->time_series->state();
+      if (files->energies)
+        state.energies = files->energies->state();
       if (files->history)
         state.history = files->history->state();
     });
@@ -378,16 +452,22 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::finish(const SystemState<dim> &state,
-                         const RunSummary       &summary)
+  RunRecord<dim, n_components>::finish(
+    const SystemState<dim>                 &state,
+    const RunSummary                       &summary,
+    const EnergyBalance<dim, n_components> *energy)
   {
     if (files)
       files->progress.finish();
+    // Only the process that writes knows what is in its files.
+    const auto written = Utilities::MPI::broadcast(
+      communicator, std::make_pair(in_time_series, in_fault_history));
     write(state,
-          scene.output.time_series_steps > 0 && !in_time_series,
-          scene.output.write_faults && !in_fault_history,
+          energy,
+          scene.output.time_series_steps > 0 && !written.first,
+          scene.output.write_faults && !written.second,
           has_fields() && !in_fields);
     carry_out_agreed(communicator, [&]() {
       if (!files)
@@ -414,9 +494,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RunRecord<dim>::add_openings(RunSummary &summary) const
+  RunRecord<dim, n_components>::add_openings(RunSummary &summary) const
   {
     RunSummary::Section        &section  = summary.add_section("Openings");
     const std::vector<Opening> &openings = files->openings->openings();
@@ -434,4 +514,5 @@ namespace StickSlip
 
   template class RunRecord<2>;
   template class RunRecord<3>;
+  template class RunRecord<2, 1>;
 } // namespace StickSlip

@@ -28,23 +28,22 @@ namespace StickSlip
      * anything that is written, size and checksum of all that follows the line
      * come next. */
     const std::string  first_word     = "stickslip-run-state";
-    constexpr unsigned format_version = 6;
+    constexpr unsigned format_version = 8;
 
 
 
     /** Properties of a file that must agree with the meshes. */
-    template <int dim>
     struct Header
     {
-      unsigned int       dimension = dim;
-      unsigned long long n_nodes   = 0;
+      unsigned int       n_components = 0;
+      unsigned long long n_nodes      = 0;
       /** Of the positions of all vertices. */
       std::uint32_t checksum = 0;
 
       bool
       operator==(const Header &other) const
       {
-        return dimension == other.dimension && n_nodes == other.n_nodes &&
+        return n_components == other.n_components && n_nodes == other.n_nodes &&
                checksum == other.checksum;
       }
 
@@ -52,18 +51,19 @@ namespace StickSlip
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &dimension &n_nodes &checksum;
+        archive &n_components &n_nodes &checksum;
       }
     };
 
 
 
     template <int dim>
-    Header<dim>
+    Header
     header(const MeshLevel<dim> &level)
     {
-      Header<dim> result;
-      result.n_nodes = level.n_nodes();
+      Header result;
+      result.n_components = level.nodes.n_components();
+      result.n_nodes      = level.n_nodes();
       for (const auto &body : level.bodies)
         for (const Point<dim> &vertex : body->triangulation().get_vertices())
           result.checksum = crc32(&vertex, sizeof(vertex), result.checksum);
@@ -127,8 +127,8 @@ namespace StickSlip
       const std::vector<double> values = gather_on_first(vector);
       if (!values.empty())
         for_each_node(level, [&](const types::global_dof_index node) {
-          for (unsigned int c = 0; c < dim; ++c)
-            result.push_back(values[node * dim + c]);
+          for (unsigned int c = 0; c < level.nodes.n_components(); ++c)
+            result.push_back(values[node * level.nodes.n_components() + c]);
         });
       return result;
     }
@@ -139,15 +139,17 @@ namespace StickSlip
     NodalVector
     nodal_vector(const std::vector<double> &values, const MeshLevel<dim> &level)
     {
-      AssertThrow(values.size() == level.n_nodes() * dim,
-                  ExcDimensionMismatch(values.size(), level.n_nodes() * dim));
+      const unsigned int n_components = level.nodes.n_components();
+      AssertThrow(values.size() == level.n_nodes() * n_components,
+                  ExcDimensionMismatch(values.size(),
+                                       level.n_nodes() * n_components));
       NodalVector result   = level.nodes.make_vector();
       auto        position = values.begin();
       for_each_node(level, [&](const types::global_dof_index node) {
-        for (unsigned int c = 0; c < dim; ++c, ++position)
+        for (unsigned int c = 0; c < n_components; ++c, ++position)
           if (level.nodes.owned().is_element(node))
-            result.local_element(level.nodes.local_index(node) * dim + c) =
-              *position;
+            result.local_element(level.nodes.local_index(node) * n_components +
+                                 c) = *position;
       });
       return result;
     }
@@ -155,27 +157,29 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  write_run_state(const std::string    &file_name,
-                  const RunState<dim>  &state,
-                  const MeshLevel<dim> &level,
-                  const SceneEntries   &entries)
+  write_run_state(const std::string                 &file_name,
+                  const RunState<dim, n_components> &state,
+                  const MeshLevel<dim>              &level,
+                  const SceneEntries                &entries)
   {
     std::vector<std::vector<double>> vectors;
-    RunState<dim>::for_each_vector(state, [&](const NodalVector &vector) {
-      vectors.push_back(in_order_of_meshes(vector, level));
-    });
+    RunState<dim, n_components>::for_each_vector(
+      state, [&](const NodalVector &vector) {
+        vectors.push_back(in_order_of_meshes(vector, level));
+      });
     const MPI_Comm communicator = level.nodes.communicator();
-    const std::vector<std::vector<KeptLinearisation<dim>>> linearisations =
-      Utilities::MPI::gather(communicator, state.linearisations);
+    const std::vector<std::vector<KeptLinearisation<n_components>>>
+      linearisations =
+        Utilities::MPI::gather(communicator, state.linearisations);
     carry_out_agreed(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       std::ostringstream content;
       {
         boost::archive::binary_oarchive archive(content);
-        const Header<dim>               start = header(level);
+        const Header                    start = header(level);
         archive << entries << start << state << vectors << linearisations;
       }
       std::ostringstream line;
@@ -199,20 +203,20 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  RunState<dim>
+  template <int dim, int n_components>
+  RunState<dim, n_components>
   read_run_state(const std::string &file_name, const MeshLevel<dim> &level)
   {
-    RunState<dim>                                    state;
-    std::vector<std::vector<double>>                 vectors;
-    std::vector<std::vector<KeptLinearisation<dim>>> linearisations;
+    RunState<dim, n_components>                               state;
+    std::vector<std::vector<double>>                          vectors;
+    std::vector<std::vector<KeptLinearisation<n_components>>> linearisations;
     carry_out_agreed(level.nodes.communicator(), [&]() {
       std::istringstream content(content_of(file_name));
       try
         {
           boost::archive::binary_iarchive archive(content);
           SceneEntries                    entries;
-          Header<dim>                     start;
+          Header                          start;
           archive >> entries >> start;
           if (!(start == header(level)))
             throw InputError("The file '" + file_name +
@@ -230,11 +234,12 @@ namespace StickSlip
         }
     });
     auto values = vectors.begin();
-    RunState<dim>::for_each_vector(state, [&](NodalVector &vector) {
-      if (!values->empty())
-        vector = nodal_vector(*values, level);
-      ++values;
-    });
+    RunState<dim, n_components>::for_each_vector(
+      state, [&](NodalVector &vector) {
+        if (!values->empty())
+          vector = nodal_vector(*values, level);
+        ++values;
+      });
     const MPI_Comm communicator = level.nodes.communicator();
     if (linearisations.size() == Utilities::MPI::n_mpi_processes(communicator))
       state.linearisations = std::move(
@@ -244,8 +249,10 @@ namespace StickSlip
 
 
 
-  template decltype(write_run_state<2>) write_run_state<2>;
-  template decltype(write_run_state<3>) write_run_state<3>;
-  template decltype(read_run_state<2>)  read_run_state<2>;
-  template decltype(read_run_state<3>)  read_run_state<3>;
+  template decltype(write_run_state<2>)    write_run_state<2>;
+  template decltype(write_run_state<3>)    write_run_state<3>;
+  template decltype(write_run_state<2, 1>) write_run_state<2, 1>;
+  template decltype(read_run_state<2>)     read_run_state<2>;
+  template decltype(read_run_state<3>)     read_run_state<3>;
+  template decltype(read_run_state<2, 1>)  read_run_state<2, 1>;
 } // namespace StickSlip

@@ -13,6 +13,8 @@
 #include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/contact_change.h>
 #include <stickslip/simulation/fault_snapshots.h>
+#include <stickslip/simulation/initial_balance.h>
+#include <stickslip/simulation/initial_motion.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/node_openings.h>
@@ -60,13 +62,17 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  Simulation<dim>::Simulation(const SceneParameters<dim> &scene,
-                              const MPI_Comm             &communicator)
+  template <int dim, int n_components>
+  Simulation<dim, n_components>::Simulation(const SceneParameters<dim> &scene,
+                                            const MPI_Comm &communicator)
     : scene(checked_scene(scene, communicator))
     , communicator(communicator)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-    , mesh_hierarchy(scene.coarse_bodies(), scene.topology, communicator)
+    , mesh_hierarchy(scene.coarse_bodies(),
+                     scene.topology,
+                     communicator,
+                     MeshHierarchy<dim>::usual_nodes_per_process,
+                     n_components)
     , boundary_values(mesh_hierarchy,
                       scene.boundary_conditions,
                       names_of(scene.bodies))
@@ -81,14 +87,15 @@ namespace StickSlip
     , laws(make_node_laws(scene, problem.jump_basis()))
     , openings(make_node_openings(scene, problem))
   {
+    AssertDimension(scene.n_components(), n_components);
     construction_timer.stop();
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   bool
-  Simulation<dim>::run()
+  Simulation<dim, n_components>::run()
   {
     if (!step_size_controller)
       set_up();
@@ -158,9 +165,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::set_up()
+  Simulation<dim, n_components>::set_up()
   {
     TimerOutput::Scope section(timer, "Initial equilibrium");
 
@@ -182,6 +189,8 @@ namespace StickSlip
 
     prepare();
     note_gaps();
+    run_state.prestress =
+      start_motion(scene, faults, laws, problem, run_state.system);
     check_restraint(scene, faults, laws, state());
     if (energy)
       energy->start(state());
@@ -189,23 +198,25 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::resume(const std::string &file_name)
+  Simulation<dim, n_components>::resume(const std::string &file_name)
   {
-    run_state = read_run_state(file_name, mesh_hierarchy.finest());
+    run_state =
+      read_run_state<dim, n_components>(file_name, mesh_hierarchy.finest());
     run_state.restarts.push_back(state().time);
     problem.build_contact(run_state.coupled_displacement,
                           run_state.expected_slip);
+    problem.set_prestress(run_state.prestress);
     prepare();
     rate_state_step->recall(run_state.linearisations);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::write_state(const std::string &file_name)
+  Simulation<dim, n_components>::write_state(const std::string &file_name)
   {
     if (record)
       {
@@ -221,9 +232,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::prepare()
+  Simulation<dim, n_components>::prepare()
   {
     faults =
       FaultNodes<dim>(problem.jump_basis(), problem.hierarchy().finest().nodes);
@@ -236,7 +247,7 @@ namespace StickSlip
     // Controller and step of the mapping before go first.
     step_size_controller.reset();
     rate_state_step.reset();
-    rate_state_step = std::make_unique<RateStateStep<dim>>(
+    rate_state_step = std::make_unique<RateStateStep<dim, n_components>>(
       problem,
       faults,
       laws,
@@ -248,17 +259,15 @@ namespace StickSlip
       make_step_size_controller(*rate_state_step, scene.time, boundary_values);
     step_size_controller->stop_if(must_stop);
     if (scene.output.energy_balance)
-      energy = std::make_unique<EnergyBalance<dim>>(problem,
-                                                    faults,
-                                                    laws,
-                                                    run_state.energy);
+      energy = std::make_unique<EnergyBalance<dim, n_components>>(
+        problem, faults, laws, run_state.energy);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::advance()
+  Simulation<dim, n_components>::advance()
   {
     std::vector<StepResult<dim>> accepted;
     try
@@ -268,12 +277,17 @@ namespace StickSlip
       }
     catch (const StepSizeTooSmall &failure)
       {
-        throw StepSizeTooSmall(failure.what() +
-                               say_what_has_opened(scene, faults, state()));
+        std::string causes = explain_failure(scene, faults, state());
+        if (run_state.counts.accepted == 0)
+          for (const std::string &cause : what_friction_does_not_hold(
+                 scene, faults, fault_points(), laws, state()))
+            causes += " " + cause;
+        throw StepSizeTooSmall(failure.what() + causes);
       }
     for (StepResult<dim> &step : accepted)
       accept(std::move(step));
-    if (scene.contact.follow_slip &&
+    // Slip out of the plane moves no node along the fault.
+    if (scene.contact.follow_slip && n_components == dim &&
         has_slid(faults,
                  state().slip,
                  run_state.coupled_slip,
@@ -283,9 +297,23 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
+  std::vector<Point<dim>>
+  Simulation<dim, n_components>::fault_points() const
+  {
+    std::vector<Point<dim>> points;
+    for (const FaultContact<dim> &fault : problem.jump_basis().faults())
+      points.insert(points.end(),
+                    fault.slave_surface.points.begin(),
+                    fault.slave_surface.points.end());
+    return points;
+  }
+
+
+
+  template <int dim, int n_components>
   void
-  Simulation<dim>::accept(StepResult<dim> &&step)
+  Simulation<dim, n_components>::accept(StepResult<dim> &&step)
   {
     RunCounts &counts = run_state.counts;
     counts.add(step.step_size, step.counts);
@@ -308,14 +336,15 @@ namespace StickSlip
                    step.counts.tnnmg_iterations,
                    step.counts.multigrid_cycles},
                   state(),
-                  fault_snapshots());
+                  fault_snapshots(),
+                  energy.get());
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::follow_contact()
+  Simulation<dim, n_components>::follow_contact()
   {
     TimerOutput::Scope section(timer, "Contact mapping");
     SystemState<dim>  &current = run_state.system;
@@ -350,9 +379,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::note_gaps()
+  Simulation<dim, n_components>::note_gaps()
   {
     // A gap of this part of a face changes where forces act as the mesh does.
     constexpr double allowed_part = 0.05;
@@ -384,9 +413,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<FaultSnapshot<dim>>
-  Simulation<dim>::fault_snapshots() const
+  Simulation<dim, n_components>::fault_snapshots() const
   {
     std::vector<bool> may_open;
     for (const FaultParameters &fault : scene.faults)
@@ -405,9 +434,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::open_record()
+  Simulation<dim, n_components>::open_record()
   {
     const bool                      goes_on   = !run_state.restarts.empty();
     std::vector<FaultSnapshot<dim>> snapshots = fault_snapshots();
@@ -418,17 +447,17 @@ namespace StickSlip
         recorded.points              = snapshots[f].points;
         snapshots[f]                 = recorded;
       }
-    record = std::make_unique<RunRecord<dim>>(
+    record = std::make_unique<RunRecord<dim, n_components>>(
       scene, problem, snapshots, goes_on ? &run_state.record : nullptr);
     if (!goes_on)
-      record->add(StepRecord(), state(), snapshots);
+      record->add(StepRecord(), state(), snapshots, energy.get());
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::write_checkpoint(Checkpoints &checkpoints)
+  Simulation<dim, n_components>::write_checkpoint(Checkpoints &checkpoints)
   {
     TimerOutput::Scope section(timer, "Checkpoints");
     write_state(checkpoints.file(run_state.counts.accepted));
@@ -437,9 +466,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Simulation<dim>::finish(const std::string &ending)
+  Simulation<dim, n_components>::finish(const std::string &ending)
   {
     record->finish(state(),
                    summarise_simulation(ending,
@@ -449,11 +478,13 @@ namespace StickSlip
                                         energy.get(),
                                         timer,
                                         construction_timer.last_wall_time(),
-                                        communicator));
+                                        communicator),
+                   energy.get());
   }
 
 
 
   template class Simulation<2>;
   template class Simulation<3>;
+  template class Simulation<2, 1>;
 } // namespace StickSlip

@@ -5,6 +5,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/scene/members_of.h>
+#include <stickslip/scene/version_report.h>
 #include <stickslip/simulation/simulation_summary.h>
 #include <stickslip/version.h>
 
@@ -68,17 +69,18 @@ namespace StickSlip
 
     /** Unknowns, and the nodes, slave side, contact area and gap of each fault.
      */
-    template <int dim>
+    template <int dim, int n_components>
     void
-    summarise_problem(RunSummary                     &summary,
-                      const SpatialProblem<dim>      &problem,
-                      const std::vector<double>      &largest_gaps,
-                      const std::vector<std::string> &body_names,
-                      const std::vector<std::string> &fault_names)
+    summarise_problem(RunSummary                              &summary,
+                      const SpatialProblem<dim, n_components> &problem,
+                      const std::vector<double>               &largest_gaps,
+                      const std::vector<std::string>          &body_names,
+                      const std::vector<std::string>          &fault_names)
     {
-      const LevelDescription<dim> &level    = problem.hierarchy().finest();
-      const auto                   n_all    = level.nodes.n_global() * dim;
-      RunSummary::Section         &unknowns = summary.add_section("Unknowns");
+      const LevelDescription<n_components> &level =
+        problem.hierarchy().finest();
+      const auto           n_all    = level.nodes.n_global() * n_components;
+      RunSummary::Section &unknowns = summary.add_section("Unknowns");
       unknowns.add_count("all", n_all);
       unknowns.add_count(
         "not fixed",
@@ -110,11 +112,11 @@ namespace StickSlip
 
     /** Steps and iterations of a run, and nodes under tension, if there were
      * any. */
-    template <int dim>
+    template <int dim, int n_components>
     void
-    summarise_steps(RunSummary           &summary,
-                    const RunState<dim>  &state,
-                    const StepSizeControl control)
+    summarise_steps(RunSummary                        &summary,
+                    const RunState<dim, n_components> &state,
+                    const StepSizeControl              control)
     {
       const RunCounts       &counts  = state.counts;
       const StepMemory<dim> &steps   = state.steps;
@@ -158,12 +160,12 @@ namespace StickSlip
      * of them that the model with this @p inertia has, and what is missing
      * between them, in J, in two dimensions for 1 m of the third one.
      * Collective. */
-    template <int dim>
+    template <int dim, int n_components>
     void
-    summarise_energy(RunSummary               &summary,
-                     const EnergyBalance<dim> &energy,
-                     const SystemState<dim>   &state,
-                     const Inertia             inertia)
+    summarise_energy(RunSummary                             &summary,
+                     const EnergyBalance<dim, n_components> &energy,
+                     const SystemState<dim>                 &state,
+                     const Inertia                           inertia)
     {
       const std::string    unit    = (dim == 2) ? "J/m" : "J";
       RunSummary::Section &section = summary.add_section("Energy");
@@ -232,21 +234,22 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   RunSummary
-  summarise_simulation(const std::string          &ending,
-                       const SceneParameters<dim> &scene,
-                       const SpatialProblem<dim>  &problem,
-                       const RunState<dim>        &state,
-                       const EnergyBalance<dim>   *energy,
-                       const TimerOutput          &timer,
-                       const double                construction,
-                       const MPI_Comm              communicator)
+  summarise_simulation(const std::string                       &ending,
+                       const SceneParameters<dim>              &scene,
+                       const SpatialProblem<dim, n_components> &problem,
+                       const RunState<dim, n_components>       &state,
+                       const EnergyBalance<dim, n_components>  *energy,
+                       const TimerOutput                       &timer,
+                       const double                             construction,
+                       const MPI_Comm                           communicator)
   {
     RunSummary                     summary;
     const std::vector<std::string> body_names = names_of(scene.bodies);
     RunSummary::Section           &run        = summary.add_section("Run");
     run.add("program", std::string("stickslip ") + version);
+    run.add("revision", source_revision());
     run.add("ending", ending);
     run.add("simulated time", state.system.time, "s");
     if (!state.restarts.empty())
@@ -277,6 +280,7 @@ namespace StickSlip
 
 
 
-  template decltype(summarise_simulation<2>) summarise_simulation<2>;
-  template decltype(summarise_simulation<3>) summarise_simulation<3>;
+  template decltype(summarise_simulation<2>)    summarise_simulation<2>;
+  template decltype(summarise_simulation<3>)    summarise_simulation<3>;
+  template decltype(summarise_simulation<2, 1>) summarise_simulation<2, 1>;
 } // namespace StickSlip

@@ -35,11 +35,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  BackwardDifferences<dim>::complete(SystemState<dim>       &to,
-                                     const SystemState<dim> &from,
-                                     const double            tau) const
+  BackwardDifferences<dim, n_components>::complete(SystemState<dim>       &to,
+                                                   const SystemState<dim> &from,
+                                                   const double tau) const
   {
     const Weights w  = weights(tau, from.last_step);
     to.last_step     = tau;
@@ -61,9 +61,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   GapPath
-  BackwardDifferences<dim>::gap_path(const double tau, const double last) const
+  BackwardDifferences<dim, n_components>::gap_path(const double tau,
+                                                   const double last) const
   {
     const Weights w = weights(tau, last);
     return {tau * w.of_past, tau * w.of_end, 1.};
@@ -71,30 +72,32 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  BackwardDifferences<dim>::error_constant(const double tau,
-                                           const double last) const
+  BackwardDifferences<dim, n_components>::error_constant(
+    const double tau,
+    const double last) const
   {
     return tau * tau * (tau + last) * weights(tau, last).of_end / 6.;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::pair<double, double>
-  BackwardDifferences<dim>::end_weights(const double tau,
-                                        const double last) const
+  BackwardDifferences<dim, n_components>::end_weights(const double tau,
+                                                      const double last) const
   {
     return {0., tau * weights(tau, last).of_end};
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  BackwardDifferences<dim>::known_displacement(const SystemState<dim> &from,
-                                               const double tau) const
+  BackwardDifferences<dim, n_components>::known_displacement(
+    const SystemState<dim> &from,
+    const double            tau) const
   {
     NodalVector u = from.displacement;
     u.add(tau * weights(tau, from.last_step).of_past, past_velocity(from));
@@ -105,4 +108,5 @@ namespace StickSlip
 
   template class BackwardDifferences<2>;
   template class BackwardDifferences<3>;
+  template class BackwardDifferences<2, 1>;
 } // namespace StickSlip

@@ -19,12 +19,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  ContactImplicit<dim>::start_force(SpatialProblem<dim>    &problem,
-                                    const SystemState<dim> &from) const
+  ContactImplicit<dim, n_components>::start_force(
+    SpatialProblem<dim, n_components> &problem,
+    const SystemState<dim>            &from) const
   {
-    using Problem = SpatialProblem<dim>;
+    using Problem = SpatialProblem<dim, n_components>;
     if (from.force.size() > 0)
       {
         NodalVector force = problem.make_vector();
@@ -48,7 +49,7 @@ namespace StickSlip
         const Tensor<1, dim - 1> traction =
           shear_traction(faults, laws, from, k);
         for (unsigned int d = 0; d < dim - 1; ++d)
-          force.local_element(faults.node(k) * dim + d) -=
+          force.local_element(faults.node(k) * n_components + d) -=
             faults.weights()[k] * traction[d];
       }
     return force;
@@ -56,13 +57,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  ContactImplicit<dim>::right_hand_side(SpatialProblem<dim>    &problem,
-                                        const SystemState<dim> &from,
-                                        const double            tau) const
+  ContactImplicit<dim, n_components>::right_hand_side(
+    SpatialProblem<dim, n_components> &problem,
+    const SystemState<dim>            &from,
+    const double                       tau) const
   {
-    using Problem   = SpatialProblem<dim>;
+    using Problem   = SpatialProblem<dim, n_components>;
     NodalVector rhs = problem.load(from.time + tau), w = problem.make_vector(),
                 product = w;
     rhs += start_force(problem, from);
@@ -77,13 +79,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactImplicit<dim>::complete(SystemState<dim>       &to,
-                                 const SystemState<dim> &from,
-                                 const double            tau) const
+  ContactImplicit<dim, n_components>::complete(SystemState<dim>       &to,
+                                               const SystemState<dim> &from,
+                                               const double tau) const
   {
-    Newmark<dim>::complete(to, from, tau);
+    Newmark<dim, n_components>::complete(to, from, tau);
     to.last_step    = tau;
     to.acceleration = to.velocity;
     to.acceleration -= from.velocity;
@@ -92,17 +94,18 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  ContactImplicit<dim>::set_end_force(SystemState<dim>       &to,
-                                      const SystemState<dim> &from,
-                                      const double            tau,
-                                      SpatialProblem<dim>    &problem,
-                                      const NodalVector      &w,
-                                      const NodalVector      &w_stopped,
-                                      const NodalVector      &reaction) const
+  ContactImplicit<dim, n_components>::set_end_force(
+    SystemState<dim>                  &to,
+    const SystemState<dim>            &from,
+    const double                       tau,
+    SpatialProblem<dim, n_components> &problem,
+    const NodalVector                 &w,
+    const NodalVector                 &w_stopped,
+    const NodalVector                 &reaction) const
   {
-    using Problem      = SpatialProblem<dim>;
+    using Problem      = SpatialProblem<dim, n_components>;
     NodalVector change = problem.make_vector(), product = change;
     problem.to_jumps(change, from.velocity);
     change.sadd(-1., 1., w);
@@ -127,4 +130,5 @@ namespace StickSlip
 
   template class ContactImplicit<2>;
   template class ContactImplicit<3>;
+  template class ContactImplicit<2, 1>;
 } // namespace StickSlip

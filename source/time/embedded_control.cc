@@ -22,12 +22,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<StepResult<dim>>
-  EmbeddedControl<dim>::accepted_steps(const SystemState<dim> &state,
-                                       StepMemory<dim>        &memory)
+  EmbeddedControl<dim, n_components>::accepted_steps(
+    const SystemState<dim> &state,
+    StepMemory<dim>        &memory)
   {
-    StepHistory<dim> history = this->history(memory, state);
+    StepHistory<dim, n_components> history = this->history(memory, state);
     while (true)
       {
         const double tau = this->limit(memory, state.time, memory.proposed);
@@ -68,4 +69,5 @@ namespace StickSlip
 
   template class EmbeddedControl<2>;
   template class EmbeddedControl<3>;
+  template class EmbeddedControl<2, 1>;
 } // namespace StickSlip

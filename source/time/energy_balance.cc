@@ -14,21 +14,21 @@ namespace StickSlip
   namespace
   {
     /** One component of one row of A x. */
-    template <int dim>
+    template <int n_components>
     double
-    row_product(const BlockMatrix<dim> &A,
-                const unsigned int      row,
-                const unsigned int      component,
-                const NodalVector      &x)
+    row_product(const BlockMatrix<n_components> &A,
+                const unsigned int               row,
+                const unsigned int               component,
+                const NodalVector               &x)
     {
       const BlockSparsity &sparsity = A.sparsity();
       double               sum      = 0.;
       for (unsigned int position = sparsity.row_start[row];
            position < sparsity.row_start[row + 1];
            ++position)
-        for (unsigned int d = 0; d < dim; ++d)
-          sum += A.block(position)[component * dim + d] *
-                 x.begin()[sparsity.column[position] * dim + d];
+        for (unsigned int d = 0; d < n_components; ++d)
+          sum += A.block(position)[component * n_components + d] *
+                 x.begin()[sparsity.column[position] * n_components + d];
       return sum;
     }
   } // namespace
@@ -48,9 +48,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  EnergyBalance<dim>::start(const SystemState<dim> &state)
+  EnergyBalance<dim, n_components>::start(const SystemState<dim> &state)
   {
     account                = EnergyAccount();
     account.initial_energy = kinetic_energy(state) + elastic_energy(state);
@@ -59,10 +59,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  EnergyBalance<dim>::add(const SystemState<dim> &state,
-                          const ContactEnergy    &contact)
+  EnergyBalance<dim, n_components>::add(const SystemState<dim> &state,
+                                        const ContactEnergy    &contact)
   {
     const double half_step = 0.5 * (state.time - account.last_time);
     account.work.add(half_step, account.last_powers);
@@ -74,9 +74,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  EnergyBalance<dim>::restart(const SystemState<dim> &state)
+  EnergyBalance<dim, n_components>::restart(const SystemState<dim> &state)
   {
     account.last_time   = state.time;
     account.last_powers = powers(state);
@@ -84,9 +84,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   EnergyTerms
-  EnergyBalance<dim>::powers(const SystemState<dim> &state) const
+  EnergyBalance<dim, n_components>::powers(const SystemState<dim> &state) const
   {
     NodalVector v = problem.make_vector(), u = v;
     problem.to_jumps(v, state.velocity);
@@ -94,41 +94,46 @@ namespace StickSlip
     const NodalVector f = problem.load(state.time);
 
     // Terms of the equation and the vectors they are applied to.
-    std::vector<std::pair<const BlockMatrix<dim> *, const NodalVector *>>
+    std::vector<
+      std::pair<const BlockMatrix<n_components> *, const NodalVector *>>
                 forces;
     NodalVector a;
-    if (problem.has(SpatialProblem<dim>::mass))
+    if (problem.has(SpatialProblem<dim, n_components>::mass))
       {
         a = problem.make_vector();
         problem.to_jumps(a, state.acceleration);
-        forces.emplace_back(&problem.term(SpatialProblem<dim>::mass), &a);
+        forces.emplace_back(
+          &problem.term(SpatialProblem<dim, n_components>::mass), &a);
       }
-    if (problem.has(SpatialProblem<dim>::damping))
-      forces.emplace_back(&problem.term(SpatialProblem<dim>::damping), &v);
-    forces.emplace_back(&problem.term(SpatialProblem<dim>::stiffness), &u);
+    if (problem.has(SpatialProblem<dim, n_components>::damping))
+      forces.emplace_back(
+        &problem.term(SpatialProblem<dim, n_components>::damping), &v);
+    forces.emplace_back(
+      &problem.term(SpatialProblem<dim, n_components>::stiffness), &u);
 
     EnergyTerms result;
     result.loads = f * v;
-    if (problem.has(SpatialProblem<dim>::damping))
+    if (problem.has(SpatialProblem<dim, n_components>::damping))
       {
         NodalVector product = problem.make_vector();
-        problem.term(SpatialProblem<dim>::damping).vmult(product, v);
+        problem.term(SpatialProblem<dim, n_components>::damping)
+          .vmult(product, v);
         result.viscosity = product * v;
       }
 
     // Prescribed velocities are the only ones that are not zero where a
     // component is fixed.
-    const LevelDescription<dim> &finest = problem.hierarchy().finest();
+    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
     for (const auto &force : forces)
       update_ghosts(*force.second);
     double driven = 0.;
     for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < n_components; ++c)
         {
-          const double velocity = v.local_element(i * dim + c);
+          const double velocity = v.local_element(i * n_components + c);
           if (finest.fixed.is_active(i, c) || velocity == 0.)
             continue;
-          double force = -f.local_element(i * dim + c);
+          double force = -f.local_element(i * n_components + c);
           for (const auto &[matrix, factor] : forces)
             force += row_product(*matrix, i, c, *factor);
           driven += force * velocity;
@@ -155,11 +160,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  EnergyBalance<dim>::quadratic_form(
-    const typename SpatialProblem<dim>::Term term,
-    const NodalVector                       &x) const
+  EnergyBalance<dim, n_components>::quadratic_form(
+    const typename SpatialProblem<dim, n_components>::Term term,
+    const NodalVector                                     &x) const
   {
     NodalVector w = problem.make_vector(), product = w;
     problem.to_jumps(w, x);
@@ -171,4 +176,5 @@ namespace StickSlip
 
   template class EnergyBalance<2>;
   template class EnergyBalance<3>;
+  template class EnergyBalance<2, 1>;
 } // namespace StickSlip

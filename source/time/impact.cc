@@ -11,11 +11,11 @@ namespace StickSlip
   namespace
   {
     /** A matrix between components that are not masked. */
-    template <int dim>
+    template <int n_components>
     struct MaskedMatrix
     {
-      const BlockMatrix<dim> &matrix;
-      const NodeMask         &active;
+      const BlockMatrix<n_components> &matrix;
+      const NodeMask                  &active;
 
       void
       vmult(NodalVector &y, const NodalVector &x) const
@@ -28,11 +28,11 @@ namespace StickSlip
 
 
     /** The inverse of the diagonal, which may be zero where it is masked. */
-    template <int dim>
+    template <int n_components>
     struct InverseDiagonal
     {
-      const BlockMatrix<dim> &matrix;
-      const NodeMask         &active;
+      const BlockMatrix<n_components> &matrix;
+      const NodeMask                  &active;
 
       void
       vmult(NodalVector &y, const NodalVector &x) const
@@ -40,11 +40,11 @@ namespace StickSlip
         for (unsigned int i = 0; i < matrix.n_rows(); ++i)
           {
             const double *block = matrix.block(matrix.sparsity().diagonal[i]);
-            for (unsigned int c = 0; c < dim; ++c)
-              y.local_element(i * dim + c) =
-                active.is_active(i, c) ?
-                  x.local_element(i * dim + c) / block[c * dim + c] :
-                  0.;
+            for (unsigned int c = 0; c < n_components; ++c)
+              y.local_element(i * n_components + c) =
+                active.is_active(i, c) ? x.local_element(i * n_components + c) /
+                                           block[c * n_components + c] :
+                                         0.;
           }
       }
     };
@@ -52,12 +52,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  stop_impacts(const SpatialProblem<dim> &problem,
-               const FaultNodes<dim>     &faults,
-               const std::vector<bool>   &touching,
-               NodalVector               &w)
+  stop_impacts(const SpatialProblem<dim, n_components> &problem,
+               const FaultNodes<dim>                   &faults,
+               const std::vector<bool>                 &touching,
+               NodalVector                             &w)
   {
     constexpr double       reduction      = 1e-12;
     constexpr unsigned int max_iterations = 1000;
@@ -68,7 +68,7 @@ namespace StickSlip
     for (const unsigned int k : faults.owned_contact())
       if (touching[k])
         {
-          const unsigned int position    = faults.node(k) * dim + dim - 1;
+          const unsigned int position = faults.node(k) * n_components + dim - 1;
           change.local_element(position) = -w.local_element(position);
           is_any = is_any || w.local_element(position) != 0.;
           active.mask(faults.node(k), dim - 1);
@@ -77,9 +77,10 @@ namespace StickSlip
                             w.get_mpi_communicator()) == 0)
       return 0.;
 
-    const BlockMatrix<dim> &mass  = problem.term(SpatialProblem<dim>::mass);
-    const NodalVector       jumps = change;
-    NodalVector             rhs = change, product = change;
+    const BlockMatrix<n_components> &mass =
+      problem.term(SpatialProblem<dim, n_components>::mass);
+    const NodalVector jumps = change;
+    NodalVector       rhs = change, product = change;
     mass.vmult(rhs, jumps);
     rhs *= -1.;
     active.apply(rhs);
@@ -88,11 +89,11 @@ namespace StickSlip
     if (const double norm = rhs.l2_norm(); norm > 0.)
       {
         SolverControl control(max_iterations, reduction * norm);
-        SolverCG<NodalVector>(control).solve(MaskedMatrix<dim>{mass, active},
-                                             change,
-                                             rhs,
-                                             InverseDiagonal<dim>{mass,
-                                                                  active});
+        SolverCG<NodalVector>(control).solve(
+          MaskedMatrix<n_components>{mass, active},
+          change,
+          rhs,
+          InverseDiagonal<n_components>{mass, active});
       }
     change += jumps;
 
@@ -114,4 +115,9 @@ namespace StickSlip
                   const FaultNodes<3> &,
                   const std::vector<bool> &,
                   NodalVector &);
+  template double
+  stop_impacts<2, 1>(const SpatialProblem<2, 1> &,
+                     const FaultNodes<2> &,
+                     const std::vector<bool> &,
+                     NodalVector &);
 } // namespace StickSlip

@@ -5,11 +5,11 @@
 
 namespace StickSlip
 {
-  template <int dim>
+  template <int dim, int n_components>
   void
-  Newmark<dim>::complete(SystemState<dim>       &to,
-                         const SystemState<dim> &from,
-                         const double            tau) const
+  Newmark<dim, n_components>::complete(SystemState<dim>       &to,
+                                       const SystemState<dim> &from,
+                                       const double            tau) const
   {
     to.displacement = known_displacement(from, tau);
     to.displacement.add(tau / 2., to.velocity);
@@ -23,10 +23,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  Newmark<dim>::known_displacement(const SystemState<dim> &from,
-                                   const double            tau) const
+  Newmark<dim, n_components>::known_displacement(const SystemState<dim> &from,
+                                                 const double tau) const
   {
     NodalVector u = from.displacement;
     u.add(tau / 2., from.velocity);
@@ -35,10 +35,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  Newmark<dim>::known_acceleration(const SystemState<dim> &from,
-                                   const double            tau) const
+  Newmark<dim, n_components>::known_acceleration(const SystemState<dim> &from,
+                                                 const double tau) const
   {
     NodalVector a = from.velocity;
     a.sadd(2. / tau, 1., from.acceleration);
@@ -49,4 +49,5 @@ namespace StickSlip
 
   template class Newmark<2>;
   template class Newmark<3>;
+  template class Newmark<2, 1>;
 } // namespace StickSlip

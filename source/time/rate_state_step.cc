@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 
 namespace StickSlip
@@ -33,33 +34,34 @@ namespace StickSlip
 
 
 
-    template <int dim>
-    std::unique_ptr<TimeScheme<dim>>
+    template <int dim, int n_components>
+    std::unique_ptr<TimeScheme<dim, n_components>>
     make_time_scheme(const Inertia                 inertia,
                      const FaultNodes<dim>        &faults,
                      const NodeLaws               &laws,
                      const UnilateralContact<dim> &contact)
     {
       if (inertia != Inertia::dynamic)
-        return std::make_unique<BackwardDifferences<dim>>();
+        return std::make_unique<BackwardDifferences<dim, n_components>>();
       if (contact.is_needed())
-        return std::make_unique<ContactImplicit<dim>>(faults, laws);
-      return std::make_unique<Newmark<dim>>();
+        return std::make_unique<ContactImplicit<dim, n_components>>(faults,
+                                                                    laws);
+      return std::make_unique<Newmark<dim, n_components>>();
     }
 
 
 
-    template <int dim>
-    std::unique_ptr<NonsmoothSolver<dim>>
-    make_rate_solver(SpatialProblem<dim>   &problem,
-                     const RateSolver       method,
-                     const TNNMGParameters &parameters)
+    template <int dim, int n_components>
+    std::unique_ptr<NonsmoothSolver<n_components>>
+    make_rate_solver(SpatialProblem<dim, n_components> &problem,
+                     const RateSolver                   method,
+                     const TNNMGParameters             &parameters)
     {
       if (method == RateSolver::condensed_newton)
         try
           {
-            return std::make_unique<CondensedSolver<dim>>(problem.operators(),
-                                                          parameters);
+            return std::make_unique<CondensedSolver<n_components>>(
+              problem.operators(), parameters);
           }
         catch (const AgreedFailure &failure)
           {
@@ -67,21 +69,22 @@ namespace StickSlip
                                 std::string(" Choose another one as "
                                             "'Time/Rate solver'."));
           }
-      return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(),
-                                                parameters);
+      return std::make_unique<TNNMGSolver<n_components>>(problem.hierarchy(),
+                                                         parameters);
     }
   } // namespace
 
 
 
-  template <int dim>
-  RateStateStep<dim>::RateStateStep(SpatialProblem<dim>   &problem,
-                                    const FaultNodes<dim> &faults,
-                                    const NodeLaws        &laws,
-                                    const TimeParameters  &time_parameters,
-                                    const TNNMGParameters &tnnmg_parameters,
-                                    const FollowingStress<dim>   &following,
-                                    const UnilateralContact<dim> &contact)
+  template <int dim, int n_components>
+  RateStateStep<dim, n_components>::RateStateStep(
+    SpatialProblem<dim, n_components> &problem,
+    const FaultNodes<dim>             &faults,
+    const NodeLaws                    &laws,
+    const TimeParameters              &time_parameters,
+    const TNNMGParameters             &tnnmg_parameters,
+    const FollowingStress<dim>        &following,
+    const UnilateralContact<dim>      &contact)
     : problem(problem)
     , fault_nodes(faults)
     , node_laws(laws)
@@ -89,10 +92,14 @@ namespace StickSlip
     , tnnmg_parameters(tnnmg_parameters)
     , following(following)
     , unilateral(contact)
-    , time_scheme(
-        make_time_scheme(time_parameters.inertia, faults, laws, contact))
-    , friction(
-        make_fault_friction(faults, laws, std::vector<double>(faults.size())))
+    , time_scheme(make_time_scheme<dim, n_components>(time_parameters.inertia,
+                                                      faults,
+                                                      laws,
+                                                      contact))
+    , friction(make_fault_friction<dim, n_components>(faults,
+                                                      laws,
+                                                      std::vector<double>(
+                                                        faults.size())))
     , solver(make_rate_solver(problem,
                               time_parameters.rate_solver,
                               tnnmg_parameters))
@@ -108,11 +115,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   StepResult<dim>
-  RateStateStep<dim>::take(const SystemState<dim> &from,
-                           const double            tau,
-                           const Prediction<dim>  *prediction)
+  RateStateStep<dim, n_components>::take(const SystemState<dim> &from,
+                                         const double            tau,
+                                         const Prediction<dim>  *prediction)
   {
     StepResult<dim> result;
     result.step_size         = tau;
@@ -128,8 +135,9 @@ namespace StickSlip
           time_scheme->operator_coefficients(tau, from.last_step));
         solver->start(rhs, w);
 
-        SolveSummary rate;
-        bool         settled = false;
+        SolveSummary    rate;
+        StressIteration stress(fault_nodes.weights());
+        bool            settled = false;
         while (!settled)
           {
             rate = solve_rate(to, rhs, w, rate);
@@ -142,9 +150,10 @@ namespace StickSlip
                                     contact.bounds);
             const double of_state = update_state(to, from, w, tau, contact);
             const double of_stress =
-              follow_pressure(to, from, tau, rhs, w, contact);
+              follow_pressure(to, from, tau, rhs, w, contact, stress);
             settled = have_settled(rate,
-                                   std::hypot(of_state, of_stress),
+                                   of_state,
+                                   of_stress,
                                    counts.rate_state_iterations);
           }
         complete(to, from, tau, rhs, w, contact);
@@ -170,11 +179,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  typename RateStateStep<dim>::ContactOfStep
-  RateStateStep<dim>::start_contact(const SystemState<dim> &from,
-                                    const double            tau,
-                                    NodalVector            &rhs)
+  template <int dim, int n_components>
+  typename RateStateStep<dim, n_components>::ContactOfStep
+  RateStateStep<dim, n_components>::start_contact(const SystemState<dim> &from,
+                                                  const double            tau,
+                                                  NodalVector            &rhs)
   {
     ContactOfStep contact;
     if (!unilateral.is_needed())
@@ -190,11 +199,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RateStateStep<dim>::recall(const std::vector<KeptLinearisation<dim>> &kept)
+  RateStateStep<dim, n_components>::recall(
+    const std::vector<KeptLinearisation<n_components>> &kept)
   {
-    for (const KeptLinearisation<dim> &linearisation : kept)
+    for (const KeptLinearisation<n_components> &linearisation : kept)
       if (!linearisation.coefficients.empty())
         {
           problem.operators().combine(linearisation.coefficients);
@@ -204,11 +214,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   SystemState<dim>
-  RateStateStep<dim>::predict(const SystemState<dim> &from,
-                              const double            tau,
-                              const Prediction<dim>  *prediction) const
+  RateStateStep<dim, n_components>::predict(
+    const SystemState<dim> &from,
+    const double            tau,
+    const Prediction<dim>  *prediction) const
   {
     SystemState<dim> to;
     to.time          = from.time + tau;
@@ -232,9 +243,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  RateStateStep<dim>::unknowns(const SystemState<dim> &to) const
+  RateStateStep<dim, n_components>::unknowns(const SystemState<dim> &to) const
   {
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, to.velocity);
@@ -246,12 +257,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   SolveSummary
-  RateStateStep<dim>::solve_rate(const SystemState<dim> &to,
-                                 const NodalVector      &rhs,
-                                 NodalVector            &w,
-                                 const SolveSummary     &before)
+  RateStateStep<dim, n_components>::solve_rate(const SystemState<dim> &to,
+                                               const NodalVector      &rhs,
+                                               NodalVector            &w,
+                                               const SolveSummary     &before)
   {
     friction->set_normal_stresses(
       fault_nodes.at_owned_contact(to.normal_stress));
@@ -276,13 +287,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  RateStateStep<dim>::update_state(SystemState<dim>       &to,
-                                   const SystemState<dim> &from,
-                                   const NodalVector      &w,
-                                   const double            tau,
-                                   const ContactOfStep    &contact) const
+  RateStateStep<dim, n_components>::update_state(
+    SystemState<dim>       &to,
+    const SystemState<dim> &from,
+    const NodalVector      &w,
+    const double            tau,
+    const ContactOfStep    &contact) const
   {
     std::vector<Tensor<1, dim - 1>> slip_rate = fault_nodes.tangential_jumps(w),
                                     slip_rate_before = from.slip_rate;
@@ -329,14 +341,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  RateStateStep<dim>::follow_pressure(SystemState<dim>       &to,
-                                      const SystemState<dim> &from,
-                                      const double            tau,
-                                      const NodalVector      &rhs,
-                                      NodalVector            &w,
-                                      const ContactOfStep    &contact)
+  RateStateStep<dim, n_components>::follow_pressure(
+    SystemState<dim>       &to,
+    const SystemState<dim> &from,
+    const double            tau,
+    const NodalVector      &rhs,
+    NodalVector            &w,
+    const ContactOfStep    &contact,
+    StressIteration        &stress)
   {
     if (!following.is_needed())
       return 0.;
@@ -346,18 +360,67 @@ namespace StickSlip
     const std::vector<double> before = to.normal_stress;
     to.normal_stress                 = following.normal_stress(
       before, end_pressure(to.contact_pressure, from, tau, contact.touching));
-    return fault_nodes.l2_norm(
+    if (!unilateral.is_needed())
+      return fault_nodes.l2_norm(relative_stress_change(
+        fault_nodes, node_laws, before, to.normal_stress));
+
+    // Changes that rounding makes alone are none: bodies that hardly anything
+    // holds would follow them.
+    const std::vector<double> rounding = pressure_rounding(w, contact);
+    for (unsigned int k = 0; k < before.size(); ++k)
+      if (std::abs(to.normal_stress[k] - before[k]) <= rounding[k])
+        to.normal_stress[k] = before[k];
+    const double change = fault_nodes.l2_norm(
       relative_stress_change(fault_nodes, node_laws, before, to.normal_stress));
+    to.normal_stress = stress.next(before, to.normal_stress, change);
+    return change;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  RateStateStep<dim>::end_pressure(std::vector<double>      pressure,
-                                   const SystemState<dim>  &from,
-                                   const double             tau,
-                                   const std::vector<bool> &touching) const
+  RateStateStep<dim, n_components>::pressure_rounding(
+    const NodalVector   &w,
+    const ContactOfStep &contact) const
+  {
+    constexpr double units = 8. * std::numeric_limits<double>::epsilon();
+
+    const BlockMatrix<n_components> &A     = problem.operators().matrix();
+    NodalVector                      terms = problem.make_vector();
+    update_ghosts(w);
+    for (const unsigned int k : fault_nodes.owned_contact())
+      {
+        constexpr unsigned int n   = n_components - 1;
+        const unsigned int     row = fault_nodes.node(k);
+        double                 sum = 0.;
+        for (unsigned int position = A.sparsity().row_start[row];
+             position < A.sparsity().row_start[row + 1];
+             ++position)
+          for (unsigned int d = 0; d < n_components; ++d)
+            sum += std::abs(
+              A.block(position)[n * n_components + d] *
+              w.begin()[A.sparsity().column[position] * n_components + d]);
+        terms.local_element(row * n_components + n) = sum;
+      }
+    std::vector<double> result =
+      contact_pressures(problem.jump_basis(),
+                        problem.hierarchy().finest().nodes,
+                        terms);
+    for (double &pressure : result)
+      pressure = units / contact.path.n_times * std::abs(pressure);
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  std::vector<double>
+  RateStateStep<dim, n_components>::end_pressure(
+    std::vector<double>      pressure,
+    const SystemState<dim>  &from,
+    const double             tau,
+    const std::vector<bool> &touching) const
   {
     if (unilateral.is_needed())
       for (unsigned int k = 0; k < pressure.size(); ++k)
@@ -371,12 +434,15 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   bool
-  RateStateStep<dim>::have_settled(const SolveSummary &rate,
-                                   const double        change,
-                                   const unsigned int  n_iterations) const
+  RateStateStep<dim, n_components>::have_settled(
+    const SolveSummary &rate,
+    const double        of_state,
+    const double        of_stress,
+    const unsigned int  n_iterations) const
   {
+    const double change = std::hypot(of_state, of_stress);
     if (!std::isfinite(change) ||
         !std::isfinite(rate.iterations.back().correction_norm))
       throw StepFailure("the solution is not a number");
@@ -386,21 +452,30 @@ namespace StickSlip
     if (rate.converged && change <= time_parameters.rate_state_tolerance)
       return true;
     if (n_iterations >= time_parameters.max_rate_state_iterations)
-      throw StepFailure("rate and state did not settle within " +
-                        std::to_string(n_iterations) + " iterations");
+      {
+        const std::string within = " did not settle within " +
+                                   std::to_string(n_iterations) + " iterations";
+        if (unilateral.is_needed() && of_stress >= of_state &&
+            of_stress > time_parameters.rate_state_tolerance)
+          throw StepFailure(
+            "friction and the normal stress of the contact" + within +
+            ", and may have no solution that does where a body leans from the "
+            "normal of a fault by less than the angle of friction");
+        throw StepFailure("rate and state" + within);
+      }
     return false;
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RateStateStep<dim>::complete(SystemState<dim>       &to,
-                               const SystemState<dim> &from,
-                               const double            tau,
-                               const NodalVector      &rhs,
-                               NodalVector            &w,
-                               const ContactOfStep    &contact)
+  RateStateStep<dim, n_components>::complete(SystemState<dim>       &to,
+                                             const SystemState<dim> &from,
+                                             const double            tau,
+                                             const NodalVector      &rhs,
+                                             NodalVector            &w,
+                                             const ContactOfStep    &contact)
   {
     if (!following.is_needed())
       {
@@ -419,14 +494,15 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   ContactEnergy
-  RateStateStep<dim>::complete_contact(SystemState<dim>       &to,
-                                       const SystemState<dim> &from,
-                                       const double            tau,
-                                       const NodalVector      &rhs,
-                                       NodalVector            &w,
-                                       const ContactOfStep    &contact)
+  RateStateStep<dim, n_components>::complete_contact(
+    SystemState<dim>       &to,
+    const SystemState<dim> &from,
+    const double            tau,
+    const NodalVector      &rhs,
+    NodalVector            &w,
+    const ContactOfStep    &contact)
   {
     unilateral.complete(to,
                         from,
@@ -446,7 +522,8 @@ namespace StickSlip
     NodalVector reaction = problem.make_vector();
     for (const unsigned int k : fault_nodes.owned_contact())
       {
-        const unsigned int position      = fault_nodes.node(k) * dim + dim - 1;
+        const unsigned int position =
+          fault_nodes.node(k) * n_components + dim - 1;
         reaction.local_element(position) = prestress.local_element(position) -
                                            all_forces.local_element(position);
       }
@@ -459,7 +536,7 @@ namespace StickSlip
       {
         NodalVector v = problem.make_vector(), product = v;
         problem.to_jumps(v, from.velocity);
-        problem.term(SpatialProblem<dim>::mass).vmult(product, v);
+        problem.term(SpatialProblem<dim, n_components>::mass).vmult(product, v);
         energy.kinetic = 0.5 * (v * product);
       }
     problem.to_nodal(to.velocity, w);
@@ -470,9 +547,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  RateStateStep<dim>::finish_rate(const NodalVector &rhs, NodalVector &w)
+  RateStateStep<dim, n_components>::finish_rate(const NodalVector &rhs,
+                                                NodalVector       &w)
   {
     // A whole solve has done so.
     if (!is_nested())
@@ -481,12 +559,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  RateStateStep<dim>::contact_pressure(const SystemState<dim> &from,
-                                       const NodalVector      &rhs,
-                                       const NodalVector      &w,
-                                       const ContactOfStep    &contact) const
+  RateStateStep<dim, n_components>::contact_pressure(
+    const SystemState<dim> &from,
+    const NodalVector      &rhs,
+    const NodalVector      &w,
+    const ContactOfStep    &contact) const
   {
     NodalVector reaction = problem.make_vector();
     problem.operators().matrix().residual(reaction, rhs, w);
@@ -507,4 +586,5 @@ namespace StickSlip
 
   template class RateStateStep<2>;
   template class RateStateStep<3>;
+  template class RateStateStep<2, 1>;
 } // namespace StickSlip

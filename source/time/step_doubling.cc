@@ -33,10 +33,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<StepResult<dim>>
-  StepDoubling<dim>::accepted_steps(const SystemState<dim> &state,
-                                    StepMemory<dim>        &memory)
+  StepDoubling<dim, n_components>::accepted_steps(const SystemState<dim> &state,
+                                                  StepMemory<dim> &memory)
   {
     // A step that begins on the line through two states.
     const auto take_along = [&](const SystemState<dim> &a,
@@ -76,7 +76,7 @@ namespace StickSlip
                 memory.proposed = tau;
                 if (growth * difference <= threshold)
                   memory.proposed =
-                    std::min(2. * tau, this->parameters.largest_step);
+                    std::min<double>(2. * tau, this->parameters.largest_step);
                 memory.before = state;
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(first));
@@ -103,4 +103,5 @@ namespace StickSlip
 
   template class StepDoubling<2>;
   template class StepDoubling<3>;
+  template class StepDoubling<2, 1>;
 } // namespace StickSlip

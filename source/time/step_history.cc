@@ -10,9 +10,9 @@
 
 namespace StickSlip
 {
-  template <int dim>
+  template <int dim, int n_components>
   PastState<dim>
-  StepHistory<dim>::record(const SystemState<dim> &state) const
+  StepHistory<dim, n_components>::record(const SystemState<dim> &state) const
   {
     PastState<dim> result;
     result.time             = state.time;
@@ -43,9 +43,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  StepHistory<dim>::predict_alpha(const double tau) const
+  StepHistory<dim, n_components>::predict_alpha(const double tau) const
   {
     std::vector<double>        alpha  = records[0].alpha;
     const std::vector<double> &newest = records[0].state_rate;
@@ -64,10 +64,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   Prediction<dim>
-  StepHistory<dim>::predict(const SystemState<dim> &state,
-                            const double            tau) const
+  StepHistory<dim, n_components>::predict(const SystemState<dim> &state,
+                                          const double            tau) const
   {
     Prediction<dim> prediction{state.velocity,
                                predict_alpha(tau),
@@ -89,9 +89,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  StepHistory<dim>::state_errors(const PastState<dim> &now) const
+  StepHistory<dim, n_components>::state_errors(const PastState<dim> &now) const
   {
     const double h = now.time - records[0].time;
     // Without a past there is only the forward Euler prediction: its error is
@@ -114,9 +114,10 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  StepHistory<dim>::estimate_error(const PastState<dim> &now) const
+  StepHistory<dim, n_components>::estimate_error(
+    const PastState<dim> &now) const
   {
     const double state_error = faults.l2_norm(state_errors(now));
     if (records.size() < 3)
@@ -172,4 +173,5 @@ namespace StickSlip
 
   template class StepHistory<2>;
   template class StepHistory<3>;
+  template class StepHistory<2, 1>;
 } // namespace StickSlip

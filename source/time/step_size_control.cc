@@ -12,14 +12,14 @@
 
 namespace StickSlip
 {
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<StepResult<dim>>
-  StepSizeController<dim>::advance(const SystemState<dim> &state,
-                                   StepMemory<dim>        &memory)
+  StepSizeController<dim, n_components>::advance(const SystemState<dim> &state,
+                                                 StepMemory<dim>        &memory)
   {
     if (memory.proposed == 0.)
       memory.proposed = parameters.control == StepSizeControl::constant ?
-                          parameters.largest_step :
+                          static_cast<double>(parameters.largest_step) :
                           on_grid(parameters.initial_step);
     return accepted_steps(state, memory);
   }
@@ -50,12 +50,13 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   StepResult<dim>
-  StepSizeController<dim>::take(StepMemory<dim>        &memory,
-                                const SystemState<dim> &from,
-                                const double            tau,
-                                const Prediction<dim>  *prediction) const
+  StepSizeController<dim, n_components>::take(
+    StepMemory<dim>        &memory,
+    const SystemState<dim> &from,
+    const double            tau,
+    const Prediction<dim>  *prediction) const
   {
     const auto count = [&](const StepResult<dim> &result) {
       ++memory.n_solved;
@@ -90,15 +91,16 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  StepHistory<dim>
-  StepSizeController<dim>::history(StepMemory<dim>        &memory,
-                                   const SystemState<dim> &state) const
+  template <int dim, int n_components>
+  StepHistory<dim, n_components>
+  StepSizeController<dim, n_components>::history(
+    StepMemory<dim>        &memory,
+    const SystemState<dim> &state) const
   {
-    StepHistory<dim> result(step.faults(),
-                            step.laws(),
-                            step.scheme(),
-                            memory.past);
+    StepHistory<dim, n_components> result(step.faults(),
+                                          step.laws(),
+                                          step.scheme(),
+                                          memory.past);
     if (memory.past.empty())
       result.add(result.record(state));
     return result;
@@ -106,9 +108,9 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  StepSizeController<dim>::on_grid(const double tau) const
+  StepSizeController<dim, n_components>::on_grid(const double tau) const
   {
     // Sizes that were computed as a grid size must not fall to the next.
     const double halvings =
@@ -118,11 +120,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   double
-  StepSizeController<dim>::limit(StepMemory<dim> &memory,
-                                 const double     time,
-                                 const double     tau) const
+  StepSizeController<dim, n_components>::limit(StepMemory<dim> &memory,
+                                               const double     time,
+                                               const double     tau) const
   {
     const double longest_ramp = step.longest_ramp();
     double       limited      = tau;
@@ -142,12 +144,12 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  StepSizeController<dim>::reject(StepMemory<dim>   &memory,
-                                  const double       time,
-                                  const double       next_step_size,
-                                  const std::string &reason) const
+  StepSizeController<dim, n_components>::reject(StepMemory<dim> &memory,
+                                                const double     time,
+                                                const double     next_step_size,
+                                                const std::string &reason) const
   {
     ++memory.n_rejected;
     if (next_step_size < parameters.smallest_step)
@@ -158,11 +160,6 @@ namespace StickSlip
                 << "one allowed, Time/Smallest step = "
                 << parameters.smallest_step << " s, can be taken: " << reason
                 << ".";
-        if (parameters.inertia == Inertia::quasi_static)
-          message
-            << " With Time/Inertia = quasi-static slip rates can grow without "
-               "bound where a fault becomes unstable; with quasi-dynamic and "
-               "dynamic they do not.";
         throw StepSizeTooSmall(message.str());
       }
     if (must_stop && must_stop())
@@ -177,19 +174,19 @@ namespace StickSlip
      * Steps of the same size, halved only where one cannot be solved. Their
      * error is estimated, but nothing follows from it.
      */
-    template <int dim>
-    class ConstantStep : public StepSizeController<dim>
+    template <int dim, int n_components>
+    class ConstantStep : public StepSizeController<dim, n_components>
     {
     public:
-      using StepSizeController<dim>::StepSizeController;
+      using StepSizeController<dim, n_components>::StepSizeController;
 
     protected:
       std::vector<StepResult<dim>>
       accepted_steps(const SystemState<dim> &state,
                      StepMemory<dim>        &memory) override
       {
-        StepHistory<dim> history = this->history(memory, state);
-        double           tau = this->limit(memory, state.time, memory.proposed);
+        StepHistory<dim, n_components> history = this->history(memory, state);
+        double tau = this->limit(memory, state.time, memory.proposed);
         while (true)
           {
             StepResult<dim> result = this->take(memory, state, tau);
@@ -212,22 +209,25 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  std::unique_ptr<StepSizeController<dim>>
-  make_step_size_controller(RateStateStep<dim>   &step,
-                            const TimeParameters &parameters,
-                            BoundaryValues<dim>  &loads)
+  template <int dim, int n_components>
+  std::unique_ptr<StepSizeController<dim, n_components>>
+  make_step_size_controller(RateStateStep<dim, n_components>  &step,
+                            const TimeParameters              &parameters,
+                            BoundaryValues<dim, n_components> &loads)
   {
     switch (parameters.control)
       {
         case StepSizeControl::embedded:
-          return std::make_unique<EmbeddedControl<dim>>(step,
-                                                        parameters,
-                                                        loads);
+          return std::make_unique<EmbeddedControl<dim, n_components>>(
+            step, parameters, loads);
         case StepSizeControl::step_doubling:
-          return std::make_unique<StepDoubling<dim>>(step, parameters, loads);
+          return std::make_unique<StepDoubling<dim, n_components>>(step,
+                                                                   parameters,
+                                                                   loads);
         case StepSizeControl::constant:
-          return std::make_unique<ConstantStep<dim>>(step, parameters, loads);
+          return std::make_unique<ConstantStep<dim, n_components>>(step,
+                                                                   parameters,
+                                                                   loads);
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;
@@ -237,6 +237,9 @@ namespace StickSlip
 
   template class StepSizeController<2>;
   template class StepSizeController<3>;
+  template class StepSizeController<2, 1>;
   template decltype(make_step_size_controller<2>) make_step_size_controller<2>;
   template decltype(make_step_size_controller<3>) make_step_size_controller<3>;
+  template decltype(make_step_size_controller<2, 1>)
+    make_step_size_controller<2, 1>;
 } // namespace StickSlip

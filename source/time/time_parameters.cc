@@ -12,7 +12,7 @@ namespace StickSlip
     add_number(prm,
                "End time",
                end_time,
-               NumberRange().above(0),
+               NumberRange().above(0).in("s"),
                "Simulated time at the end of the run, in s.");
     add_choice(prm,
                "Step size control",
@@ -23,17 +23,21 @@ namespace StickSlip
                "How the step size is chosen: an error estimate from the past "
                "steps, one step of double size against two, or always the "
                "largest step.");
-    add_number(prm,
-               "Tolerance",
-               tolerance,
-               NumberRange().above(0),
-               "Error allowed in a step under the embedded control, in "
-               "m^((d-1)/2): the L2 norm over the faults of the error of the "
-               "logarithm of the state and, at each node, of the smaller one "
-               "of two: the error of the friction coefficient over the larger "
-               "one of a and b, times the normal stress over its mean; or that "
-               "of the slip rate over the largest one of the fault. Before "
-               "three steps have been taken, the state alone counts.");
+    add_number(
+      prm,
+      "Tolerance",
+      tolerance,
+      NumberRange().above(0),
+      "Error allowed in a step under the embedded control, in "
+      "m^((d-1)/2): the L2 norm over the faults of the error of the "
+      "logarithm of the state and, at each node, of the smaller one "
+      "of two: the error of the friction coefficient over the larger "
+      "one of a and b, times the normal stress over its mean; or that "
+      "of the slip rate over the largest one of the fault. Before "
+      "three steps have been taken, the state alone counts. auto: 3e-6 "
+      "times the square root of the size of all faults over that of "
+      "100 m (in three dimensions 100 m times 100 m), and not less "
+      "than 3e-6.");
     add_number(prm,
                "Impact tolerance",
                impact_tolerance,
@@ -49,24 +53,28 @@ namespace StickSlip
                NumberRange().above(0),
                "Difference allowed between one step and two under step "
                "doubling: of the logarithm of the state in the L2 norm of the "
-               "faults, in m^((d-1)/2).");
+               "faults, in m^((d-1)/2). auto: 1e-5 times what 'Tolerance' "
+               "takes.");
     add_number(prm,
                "Initial step",
                initial_step,
-               NumberRange().above(0),
+               NumberRange().above(0).in("s"),
                "Size of the first step, in s.");
     add_number(prm,
                "Smallest step",
                smallest_step,
-               NumberRange().above(0),
+               NumberRange().above(0).in("s"),
                "The run stops with a message where an even smaller step would "
                "be needed, in s.");
     add_number(prm,
                "Largest step",
                largest_step,
-               NumberRange().above(0),
+               NumberRange().above(0).in("s"),
                "Largest size of a step, in s; smaller steps are this divided "
-               "by powers of two.");
+               "by powers of two. auto: 0.5 s; in runs of more than 1000 s "
+               "1/2000 of 'End time', but not more than five times the "
+               "shortest characteristic slip over the largest prescribed "
+               "velocity, and not less than 0.5 s or the initial step.");
     add_number(prm,
                "Ramp fraction",
                ramp_fraction,
@@ -121,7 +129,8 @@ namespace StickSlip
                "How the rate problem is solved: on all of the bodies by "
                "multigrid (TNNMG), which suits every scene; or on the unknowns "
                "of the faults alone (condensed Newton), after a factorisation "
-               "of the bodies for each step size, which pays where few step "
+               "of the bodies for each step size, or a single one where they "
+               "have neither mass nor viscosity, which pays where few step "
                "sizes occur and the faults have at most some hundred nodes. "
                "The latter needs memory and time that grow with the square and "
                "the cube of the number of fault unknowns, takes its tolerance "
@@ -132,7 +141,7 @@ namespace StickSlip
                NumberRange().above(0),
                "The rate-state iteration ends when the logarithm of the state "
                "changes less than this in the L2 norm of the faults, in "
-               "m^((d-1)/2).");
+               "m^((d-1)/2). auto: 1e-6 times what 'Tolerance' takes.");
     add_count(prm,
               "Largest number of rate-state iterations",
               max_rate_state_iterations,

@@ -5,10 +5,10 @@
 
 namespace StickSlip
 {
-  template <int dim>
+  template <int dim, int n_components>
   std::vector<double>
-  TimeScheme<dim>::operator_coefficients(const double tau,
-                                         const double last) const
+  TimeScheme<dim, n_components>::operator_coefficients(const double tau,
+                                                       const double last) const
   {
     const auto [of_mass, of_stiffness] = end_weights(tau, last);
     return {of_mass, 1., of_stiffness};
@@ -16,13 +16,14 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  TimeScheme<dim>::right_hand_side(SpatialProblem<dim>    &problem,
-                                   const SystemState<dim> &from,
-                                   const double            tau) const
+  TimeScheme<dim, n_components>::right_hand_side(
+    SpatialProblem<dim, n_components> &problem,
+    const SystemState<dim>            &from,
+    const double                       tau) const
   {
-    using Problem   = SpatialProblem<dim>;
+    using Problem   = SpatialProblem<dim, n_components>;
     NodalVector rhs = problem.load(from.time + tau), w = problem.make_vector(),
                 product = w;
     if (problem.has(Problem::mass))
@@ -39,10 +40,11 @@ namespace StickSlip
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   NodalVector
-  TimeScheme<dim>::known_acceleration(const SystemState<dim> &from,
-                                      const double) const
+  TimeScheme<dim, n_components>::known_acceleration(
+    const SystemState<dim> &from,
+    const double) const
   {
     NodalVector zero = from.velocity;
     zero             = 0.;
@@ -53,4 +55,5 @@ namespace StickSlip
 
   template class TimeScheme<2>;
   template class TimeScheme<3>;
+  template class TimeScheme<2, 1>;
 } // namespace StickSlip

@@ -27,7 +27,7 @@ import time
 from common import csv_file, page, programs
 from common.programs import PROGRAM, PROJECT
 
-from . import compare, friction, locking, ringing, space, stepping, tests
+from . import compare, friction, locking, opening, ringing, space, stepping, tests
 from .run import run
 from .scene import text
 
@@ -71,6 +71,12 @@ def measure(program, case, folder):
         notes.append(f"{low:.0e} to {high:.0e} m/s at the end")
         if result.events:
             notes.append(f"{len(result.events)} events")
+        if result.openings:
+            notes.append(f"{result.openings} openings")
+        if result.number("Energy/taken by contacts"):
+            notes.append(
+                f"contacts take {result.number('Energy/taken by contacts'):.0e} J/m"
+            )
         defect = result.number("Energy/missing, over the largest work")
         if defect is not None:
             notes.append(f"energy defect {abs(defect):.0e}")
@@ -110,7 +116,8 @@ def main():
     if arguments.ringing or arguments.locking:
         return 0
 
-    everything = [*friction.cases(), *stepping.cases(), *space.cases()]
+    everything = [*friction.cases(), *stepping.cases(), *space.cases(),
+                  *opening.cases()]
     names = [f"{case.group}: {case.name}" for case in everything]
     names += tests.ROWS
     everything += tests.ROWS.values()

@@ -6,9 +6,9 @@ import numpy as np
 
 
 def difference(result, reference, characteristic_slip):
-    """The largest difference of slip and of shear traction at the end, over the
-    largest slip, but at least the characteristic slip, and the largest traction;
-    that of the logarithm of the state; the largest of the three. The faults'
+    """The largest difference of slip, of gaps and of shear traction at the end, over
+    the largest slip and gap, but at least the characteristic slip, and the largest
+    traction; that of the logarithm of the state; the largest of them. The faults'
     nodes must be the same."""
     worst = 0.0
     for fault, mine in result.fields.items():
@@ -16,7 +16,10 @@ def difference(result, reference, characteristic_slip):
         if abs(mine["time"] - other["time"]) > 1e-9 * abs(other["time"]):
             return float("nan")
         contact = (mine["weight"] > 0) & (other["weight"] > 0)
-        for name, least in (("slip", characteristic_slip), ("shear_traction", 1e-30)):
+        for name, least in (("slip", characteristic_slip), ("shear_traction", 1e-30),
+                            ("gap", characteristic_slip)):
+            if name not in mine:
+                continue
             scale = max(np.max(np.abs(other[name])), least)
             change = np.abs(mine[name] - other[name])[contact]
             worst = max(worst, np.max(change) / scale)

@@ -15,12 +15,14 @@ from common import runs
 @dataclasses.dataclass
 class Result:
     """Files of a run. `message` is empty where it reached its end, `events` are the
-    times at which they start, in s."""
+    times at which they start, in s, `openings` the number of those that faults have
+    been through."""
 
     message: str
     summary: dict
     fields: dict
     events: list
+    openings: int
 
     def number(self, name):
         """Of the summary, 'section/name'; None where there is none."""
@@ -43,9 +45,14 @@ def read_fields(path):
                 "time": float(np.array(group["time"]).ravel()[-1]),
             }
             for name in ("slip", "slip_rate", "state", "shear_traction",
-                         "normal_stress"):
-                fields[fault][name] = np.array(group[name][-1])
+                         "normal_stress", "gap"):
+                if name in group:
+                    fields[fault][name] = np.array(group[name][-1])
     return fields
+
+
+def count_rows(path):
+    return len(path.read_text().splitlines()) - 1 if path.is_file() else 0
 
 
 def run(program, text, folder, timeout):
@@ -77,4 +84,5 @@ def run(program, text, folder, timeout):
         summary,
         read_fields(output / "faults.h5"),
         sorted(start for starts in summary["events"].values() for start in starts),
+        count_rows(output / "openings.csv"),
     )

@@ -10,7 +10,7 @@ from common.figures import (
     BLUE, GREY, ORANGE, VERMILION, new_figure, title,
 )
 from experiments.results.history import FaultHistory
-from tools.plot_run import edges
+from pictures.style import edges
 
 from . import cases
 from .volume import Volume, volumes

@@ -8,7 +8,8 @@ import numpy as np
 from common import page
 from common.figures import BLUE, GREEN, GREY, ORANGE, new_figure, title
 from experiments.results.history import FaultHistory
-from tools.plot_run import edges, read_table
+from pictures.run_files import read_table
+from pictures.style import edges
 
 from . import cases
 

@@ -9,7 +9,7 @@ from common import page
 from common.figures import BLUE, GREY, ORANGE, VERMILION, new_figure, title
 from experiments.results.history import FaultHistory
 from tools import rough_profile
-from tools.plot_run import edges
+from pictures.style import edges
 
 from . import cases
 from .wavy import Waves

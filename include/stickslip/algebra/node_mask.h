@@ -59,6 +59,13 @@ namespace StickSlip
       return active.size();
     }
 
+    /** Number of components of a node. */
+    unsigned int
+    n_components() const
+    {
+      return components;
+    }
+
     /** Number of masked components of the first @p n nodes. */
     unsigned int
     n_masked(const unsigned int n) const;

@@ -50,7 +50,8 @@ namespace StickSlip
    *   S = A_FF - A_FI A_II^-1 A_IF
    *
    * with the other entries I that are not fixed, as a dense matrix, together
-   * with the factors of A_II. On one process.
+   * with the factors of A_II. A may be a factor times a matrix: another factor
+   * costs no more than the size of S. On one process.
    */
   template <int n_components>
   class CondensedOperator
@@ -61,9 +62,13 @@ namespace StickSlip
 
     ~CondensedOperator();
 
-    /** Throws SingularMatrix. */
+    /** Let A be a matrix, with the factor 1. Throws SingularMatrix. */
     void
     set_matrix(const BlockMatrix<n_components> &A, const NodeMask &fixed);
+
+    /** Let A be @p factor > 0 times the last matrix. */
+    void
+    set_factor(const double factor);
 
     /** Row @p i of S, and column, since S is symmetric. */
     const double *
@@ -92,9 +97,16 @@ namespace StickSlip
                      const std::vector<bool>                    &active);
 
     /** The linearisation whose factors are there, with nonsmooth nodes as
-     * numbers of nodes. */
+     * numbers of nodes; without coefficients. */
     KeptLinearisation<n_components>
     factorised() const;
+
+    /** The factor of A in that linearisation. */
+    double
+    factor_of_factorised() const
+    {
+      return factorised_factor;
+    }
 
     /** Make the factors of a linearisation, if it is set. */
     void
@@ -120,6 +132,9 @@ namespace StickSlip
 
     const CondensedEntries<n_components> &entries;
     MumpsFactorisation<n_components>      bulk;
+    double                                factor = 1.;
+    /** The factor times the Schur complement; empty where it is one. */
+    std::vector<double> scaled_schur_complement;
     /** Factors of A_II once more where it is small: UMFPACK solves faster
      * then. */
     std::unique_ptr<UmfpackFactorisation<n_components>> small_bulk;
@@ -127,6 +142,7 @@ namespace StickSlip
     /** Linearisation that they are the factors of. */
     std::vector<Tensor<2, n_components>> factorised_hessians;
     std::vector<bool>                    factorised_active;
+    double                               factorised_factor = 1.;
   };
 } // namespace StickSlip
 

@@ -22,8 +22,10 @@ namespace StickSlip
    * components outside F are found by finish().
    *
    * S and the factors of the rest are made once for each operator, and kept
-   * for those used last. Memory grows with the square, the time for an operator
-   * with the cube of the number of entries of F. On one process.
+   * for those used last; an operator that is one term times a coefficient is
+   * condensed once for all coefficients. Memory grows with the square, the time
+   * for an operator with the cube of the number of entries of F. On one
+   * process.
    */
   template <int n_components>
   class CondensedSolver : public NonsmoothSolver<n_components>

@@ -14,7 +14,7 @@ namespace StickSlip
    * The contact pressure at each slave node, fault after fault, Pa, compression
    * positive: the force that keeps the normal jump at zero over the node's
    * weight. Slave nodes off contact have the value of the nearest node in
-   * contact.
+   * contact. Zero where bodies move out of the plane, which presses nothing.
    *
    * @p reaction: a dual vector of the jump basis, the forces that the normal
    * constraint exerts, partitioned as @p nodes. Collective.

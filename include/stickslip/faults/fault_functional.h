@@ -15,8 +15,8 @@ namespace StickSlip
    * of FaultNodes::owned_contact(). @p normal_stress: at each slave node, Pa.
    * The state is alpha = 0 until FaultFriction::set_state() is called.
    */
-  template <int dim>
-  std::unique_ptr<FaultFriction<dim>>
+  template <int dim, int n_components = dim>
+  std::unique_ptr<FaultFriction<n_components>>
   make_fault_friction(const FaultNodes<dim>     &nodes,
                       const NodeLaws            &laws,
                       const std::vector<double> &normal_stress);

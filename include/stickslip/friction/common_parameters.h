@@ -88,11 +88,55 @@ namespace StickSlip
     inline LawParameter
     initial_state()
     {
-      return LawParameter::field("Initial state",
-                                 "State theta at the start",
-                                 "s",
-                                 NumberRange().above(0),
-                                 1.);
+      return LawParameter::optional_field(
+        "Initial state",
+        "State theta at the start (empty: that with which the initial slip "
+        "rate needs the initial shear stress, or 1 s where they are not both "
+        "given)",
+        "s",
+        NumberRange().above(0),
+        1.);
+    }
+
+    /** Slip rate at the start along a horizontal axis, m/s. Every kind with
+     * friction has it. */
+    inline LawParameter
+    initial_slip_rate(const unsigned int axis)
+    {
+      const std::string name(1, "xy"[axis]);
+      LawParameter      parameter = LawParameter::optional_field(
+        "Initial slip rate along " + name,
+        "Slip rate at the start, that of the upper side relative to the lower "
+             "one along " +
+          name +
+          " (empty: what the initial shear stress and state need, or none "
+               "where no shear stress is given)",
+        "m/s",
+        NumberRange(),
+        0.);
+      parameter.least_dimension = 2 + axis;
+      return parameter;
+    }
+
+    /** Shear stress at the start along a horizontal axis, Pa. Every kind with
+     * friction has it. */
+    inline LawParameter
+    initial_shear_stress(const unsigned int axis)
+    {
+      const std::string name(1, "xy"[axis]);
+      LawParameter      parameter = LawParameter::optional_field(
+        "Initial shear stress along " + name,
+        "Shear stress at the start that drives the upper side relative to the "
+             "lower one along " +
+          name +
+          "; what the bodies do not carry of it acts on the fault for ever "
+               "(empty: what the initial slip rate and state need, or what the "
+               "bodies carry where no slip rate is given)",
+        "Pa",
+        NumberRange(),
+        0.);
+      parameter.least_dimension = 2 + axis;
+      return parameter;
     }
 
     /** Prescribed slip rate along a horizontal axis, m/s. */

@@ -31,15 +31,16 @@ namespace StickSlip
    * negative gradient is the frictional force on the slave side.
    *
    * The first d - 1 components of a node are tangential, the last one is
-   * normal to the fault and has no friction. Where a fault may open, it has a
+   * normal to the fault and has no friction; a single component is tangential,
+   * that out of the plane. Where a fault may open, it has a
    * bound: the sides may part, at most the gap between them closes.
    *
    * Nodes of different faults may have different laws; the class knows nothing
    * of what the laws are. No function of the NonsmoothFunctional interface
    * allocates memory.
    */
-  template <int dim>
-  class FaultFriction : public NonsmoothFunctional<dim>
+  template <int n_components>
+  class FaultFriction : public NonsmoothFunctional<n_components>
   {
   public:
     /**
@@ -96,13 +97,6 @@ namespace StickSlip
     set_opening_bounds(const std::vector<double> &bounds);
 
     /**
-     * Return whether the sides touch at term @p k: whether the normal component
-     * is at its bound, bit for bit. True at nodes that cannot open.
-     */
-    bool
-    is_in_contact(const unsigned int k, const Tensor<1, dim> &v) const;
-
-    /**
      * Set the cohesion at each node, Pa, none negative: a shear traction in
      * addition to that of friction which does not depend on the slip rate.
      */
@@ -134,7 +128,7 @@ namespace StickSlip
      * The slip rate |v_t| of a node's jump of velocity, m/s.
      */
     static double
-    slip_rate(const Tensor<1, dim> &v);
+    slip_rate(const Tensor<1, n_components> &v);
 
     const std::vector<unsigned int> &
     nodes() const override
@@ -146,45 +140,51 @@ namespace StickSlip
     bool
     has_bounds() const override;
 
-    Tensor<1, dim>
-    project(const unsigned int k, const Tensor<1, dim> &v) const override;
+    Tensor<1, n_components>
+    project(const unsigned int             k,
+            const Tensor<1, n_components> &v) const override;
 
     bool
-    is_at_bound(const unsigned int    k,
-                const Tensor<1, dim> &v,
-                const unsigned int    component) const override;
+    is_at_bound(const unsigned int             k,
+                const Tensor<1, n_components> &v,
+                const unsigned int             component) const override;
 
     double
-    value(const unsigned int k, const Tensor<1, dim> &v) const override;
+    value(const unsigned int             k,
+          const Tensor<1, n_components> &v) const override;
 
     double
-    directional_derivative(const unsigned int    k,
-                           const Tensor<1, dim> &v,
-                           const Tensor<1, dim> &direction) const override;
+    directional_derivative(
+      const unsigned int             k,
+      const Tensor<1, n_components> &v,
+      const Tensor<1, n_components> &direction) const override;
 
-    Tensor<1, dim>
-    gradient(const unsigned int k, const Tensor<1, dim> &v) const override;
+    Tensor<1, n_components>
+    gradient(const unsigned int             k,
+             const Tensor<1, n_components> &v) const override;
 
     /**
      * Phi'' t t^T + Phi'/V (I - t t^T) on the tangential part, where
      * t = v_t / V, times w_p sigma_n, and w_p eta. Entries beyond 1e200 are set
      * to that value, which keeps products with zero out of trouble.
      */
-    Tensor<2, dim>
-    hessian(const unsigned int k, const Tensor<1, dim> &v) const override;
+    Tensor<2, n_components>
+    hessian(const unsigned int             k,
+            const Tensor<1, n_components> &v) const override;
 
     /**
      * The chord of the law in the direction of slip (FrictionLaw::chord()),
      * for the change of the coefficient that takes up the tangential force in
      * that direction; across it the same as hessian().
      */
-    Tensor<2, dim>
-    secant_hessian(const unsigned int    k,
-                   const Tensor<1, dim> &v,
-                   const Tensor<1, dim> &force) const override;
+    Tensor<2, n_components>
+    secant_hessian(const unsigned int             k,
+                   const Tensor<1, n_components> &v,
+                   const Tensor<1, n_components> &force) const override;
 
     bool
-    is_smooth(const unsigned int k, const Tensor<1, dim> &v) const override;
+    is_smooth(const unsigned int             k,
+              const Tensor<1, n_components> &v) const override;
 
     bool
     acts_on(const unsigned int k, const unsigned int component) const override;
@@ -195,12 +195,12 @@ namespace StickSlip
      * component is then beyond its bound, the minimiser has it there, since the
      * problem is convex, and the tangential ones are solved for once more.
      */
-    Tensor<1, dim>
-    minimise(const unsigned int           k,
-             const Tensor<2, dim>        &A,
-             const Tensor<1, dim>        &r,
-             const std::array<bool, dim> &active,
-             const Tensor<1, dim>        &start) const override;
+    Tensor<1, n_components>
+    minimise(const unsigned int                    k,
+             const Tensor<2, n_components>        &A,
+             const Tensor<1, n_components>        &r,
+             const std::array<bool, n_components> &active,
+             const Tensor<1, n_components>        &start) const override;
 
   private:
     /**
@@ -234,16 +234,18 @@ namespace StickSlip
     };
 
     /** The minimiser without a bound. */
-    static Tensor<1, dim>
-    minimise_unbounded(const Term                  &term,
-                       const Tensor<2, dim>        &A,
-                       const Tensor<1, dim>        &r,
-                       const std::array<bool, dim> &active,
-                       const Tensor<1, dim>        &start);
+    static Tensor<1, n_components>
+    minimise_unbounded(const Term                           &term,
+                       const Tensor<2, n_components>        &A,
+                       const Tensor<1, n_components>        &r,
+                       const std::array<bool, n_components> &active,
+                       const Tensor<1, n_components>        &start);
 
     /** The second derivative, of which the @p slope of the law is one part. */
-    static Tensor<2, dim>
-    hessian_with(const Term &term, const Tensor<1, dim> &v, const double slope);
+    static Tensor<2, n_components>
+    hessian_with(const Term                    &term,
+                 const Tensor<1, n_components> &v,
+                 const double                   slope);
 
     const std::vector<unsigned int>                       node_indices;
     const std::vector<double>                             weights;

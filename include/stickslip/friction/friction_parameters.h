@@ -6,6 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <stickslip/friction/initial_sliding.h>
 #include <stickslip/friction/law_registry.h>
 #include <stickslip/friction/opening_parameters.h>
 
@@ -78,6 +79,13 @@ namespace StickSlip
     initial_states(const std::vector<Point<dim>> &points,
                    const std::string             &section) const;
 
+    /** Values given of the start at some points; nothing where the slip rate
+     * is prescribed. Throws InputError, see SpatialField::function(). */
+    template <int dim>
+    std::vector<GivenStart<dim - 1>>
+    given_starts(const std::vector<Point<dim>> &points,
+                 const std::string             &section) const;
+
     /** Slip rates at some points, where they are prescribed: of the upper side
      * relative to the lower one, m/s; zero where the fault is welded. Throws
      * InputError, see SpatialField::function(). */
@@ -89,6 +97,11 @@ namespace StickSlip
     /** Time in which a prescribed slip rate grows from zero, s. */
     double
     slip_rate_ramp_length() const;
+
+    /** Names of the entries whose tables say nothing of any of some points. */
+    template <int dim>
+    std::vector<std::string>
+    tables_elsewhere(const std::vector<Point<dim>> &points) const;
 
     /** Throws InputError unless all that this kind of friction uses has a value
      * at some points. */

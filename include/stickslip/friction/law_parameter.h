@@ -47,6 +47,9 @@ namespace StickSlip
     /** Dimension of the scenes that have the entry, at least. */
     unsigned int least_dimension = 2;
 
+    /** True if the entry may be empty, so that nothing is given. */
+    bool optional = false;
+
     /** Parameter that may vary along the fault. */
     static LawParameter
     field(const std::string &entry,
@@ -56,6 +59,20 @@ namespace StickSlip
           const double       default_value)
     {
       return {entry, documentation, unit, range, default_value};
+    }
+
+    /** Parameter that may vary along the fault, and that need not be given. */
+    static LawParameter
+    optional_field(const std::string &entry,
+                   const std::string &documentation,
+                   const std::string &unit,
+                   const NumberRange &range,
+                   const double       value_if_empty)
+    {
+      LawParameter parameter =
+        field(entry, documentation, unit, range, value_if_empty);
+      parameter.optional = true;
+      return parameter;
     }
 
     /** Parameter that is one number for all nodes. */

@@ -60,6 +60,10 @@ namespace StickSlip
 
     BoundaryAxes axes = BoundaryAxes::space;
 
+    /** Components of displacements: those of space, or one, out of the plane;
+     * only so many of the following count. */
+    unsigned int n_components = dim;
+
     std::array<BoundaryType, dim> type;
     std::array<std::string, dim>  expression;
 
@@ -68,7 +72,7 @@ namespace StickSlip
 
     BoundaryCondition();
 
-    /** The name of a component in entries: x, or normal. */
+    /** The name of a component in entries: x, or normal; z out of the plane. */
     std::string
     component_name(const unsigned int component) const;
 

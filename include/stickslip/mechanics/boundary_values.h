@@ -8,6 +8,7 @@
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mechanics/node_constraint.h>
+#include <stickslip/mechanics/side_axes.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/parameters/expression.h>
 
@@ -27,16 +28,18 @@ namespace StickSlip
   /**
    * The boundary conditions of a scene on its meshes: the components that they
    * fix on each level, and their values. Where some of them are along the axes
-   * of a side, which is plane, components of its nodes have axes of their
-   * own. All components of a rigid body are
-   * fixed, with the velocity that is given for one of its sides, or none.
+   * of a side, components of its nodes have axes of their own; on a curved side
+   * those of the nodal normals of the finest level, on all levels. All
+   * components of a rigid body are fixed, with the velocity that is given for
+   * one of its sides, or none. A single component is that out of the plane.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class BoundaryValues
   {
   public:
     /** @p body_names in the order of the meshes. Throws InputError where a
-     * condition is along the axes of a side that is not plane. */
+     * condition is along the axes of a side with a corner, of a curved side of
+     * a rigid body, or of one whose tangential directions are not unique. */
     BoundaryValues(const MeshHierarchy<dim>                  &meshes,
                    const std::vector<BoundaryCondition<dim>> &conditions,
                    const std::vector<std::string>            &body_names);
@@ -48,7 +51,7 @@ namespace StickSlip
 
     /** The axes of nodes on level @p l with a component that is prescribed
      * along another direction than those of space. */
-    NodeFrames<dim>
+    NodeFrames<n_components>
     frames(const unsigned int l) const;
 
     /** Set the prescribed velocities of owned nodes at @p time, in the axes of
@@ -86,25 +89,44 @@ namespace StickSlip
     struct Side
     {
       /** Components whose values depend on time. */
-      std::array<bool, dim> varies;
+      std::array<bool, n_components> varies;
 
       unsigned int           body;
       BoundaryCondition<dim> condition;
-      /** The directions of the components, as columns. */
-      Tensor<2, dim> axes;
+      /** The directions of the components, as columns; of a curved side those
+       * of its mean normal. */
+      Tensor<2, n_components> axes;
+      /** Of a curved side with conditions along its axes. */
+      SideNormals<dim> normals;
+      /** See reference_of_side(). */
+      unsigned int reference = numbers::invalid_unsigned_int;
       /** One for each component, without the ramp. */
       std::vector<Expression<dim>> values;
       /** The owned nodes. */
       std::vector<unsigned int> nodes;
       std::vector<Point<dim>>   points;
+
+      /** The directions at a node on any level. */
+      Tensor<2, n_components>
+      axes_at(const Point<dim> &point) const;
+
+      /** The directions where a curved side has the outer normal @p normal. */
+      Tensor<2, n_components>
+      axes_with(const Tensor<1, dim> &normal) const;
     };
+
+    /** Set the axes of a side with conditions along these. */
+    static void
+    find_axes(const FaultSurface<dim> &surface,
+              const bool               is_rigid,
+              Side                    &side);
 
     /** A node with a component that is prescribed along the axes of a side:
      * all prescribed components of all sides that it lies on. */
     struct TurnedNode
     {
-      NodeConstraint<dim> constraint;
-      Point<dim>          point;
+      NodeConstraint<n_components> constraint;
+      Point<dim>                   point;
       /** Side and component of each direction. */
       std::vector<std::pair<unsigned int, unsigned int>> values;
     };

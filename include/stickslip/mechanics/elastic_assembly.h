@@ -20,16 +20,16 @@ namespace StickSlip
    * are eliminated: their rows and columns are empty. Each process has the rows
    * of its nodes, assembled from all cells that touch them, without messages.
    */
-  template <int dim>
+  template <int n_components>
   struct ElasticMatrices
   {
     /** Consistent mass M, kg (per m in plane strain); no matrix at all if it
      * was not asked for. */
-    BlockMatrix<dim> mass;
+    BlockMatrix<n_components> mass;
     /** Viscous damping C, N s/m; no matrix at all if no body is viscous. */
-    BlockMatrix<dim> damping;
+    BlockMatrix<n_components> damping;
     /** Stiffness K, N/m. */
-    BlockMatrix<dim> stiffness;
+    BlockMatrix<n_components> stiffness;
   };
 
   /**
@@ -42,9 +42,12 @@ namespace StickSlip
    * viscosity that resists the change of volume; the deviatoric part is
    * integrated in full (Nagtegaal, Parks and Rice 1974; Hughes 1980). Moduli of
    * the mean strain are means over the cell as well.
+   *
+   * A single component is the displacement out of the plane: then K is the
+   * Laplace operator with mu, C that with eta, and no volume changes.
    */
-  template <int dim>
-  ElasticMatrices<dim>
+  template <int dim, int n_components = dim>
+  ElasticMatrices<n_components>
   assemble_elastic_matrices(const MeshLevel<dim>              &level,
                             const std::vector<MaterialFields> &materials,
                             const bool with_mass = true);

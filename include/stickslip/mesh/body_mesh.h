@@ -8,7 +8,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <stickslip/mesh/coarse_body.h>
+#include <stickslip/geometry/coarse_body.h>
 #include <stickslip/mesh/fault_surface.h>
 #include <stickslip/mesh/red_refinement.h>
 
@@ -72,8 +72,10 @@ namespace StickSlip
     vertex_parents() const;
 
     /** Boundary indicator of the lower and of the upper side. */
-    static constexpr types::boundary_id lower_side = 2 * (dim - 1);
-    static constexpr types::boundary_id upper_side = 2 * (dim - 1) + 1;
+    static constexpr types::boundary_id lower_side =
+      CoarseBody<dim>::lower_side;
+    static constexpr types::boundary_id upper_side =
+      CoarseBody<dim>::upper_side;
 
     /** The faces and nodes on one side; nodes have the numbers of their degrees
      * of freedom. */

@@ -4,8 +4,8 @@
 #ifndef stickslip_mesh_cell_partition_h
 #define stickslip_mesh_cell_partition_h
 
+#include <stickslip/geometry/fault_topology.h>
 #include <stickslip/mesh/body_mesh.h>
-#include <stickslip/mesh/fault_topology.h>
 
 namespace StickSlip
 {

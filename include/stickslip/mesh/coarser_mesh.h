@@ -4,7 +4,7 @@
 #ifndef stickslip_mesh_coarser_mesh_h
 #define stickslip_mesh_coarser_mesh_h
 
-#include <stickslip/mesh/fault_cutting.h>
+#include <stickslip/geometry/fault_cutting.h>
 
 namespace StickSlip
 {

@@ -23,28 +23,36 @@ namespace StickSlip
   class MeshHierarchy
   {
   public:
+    /** The least number of nodes for which another process shares a level. */
+    static constexpr unsigned int usual_nodes_per_process = 500;
+
     /**
      * The bodies in the order of the @p topology. A level but the finest is
      * shared by no more processes than there are multiples of
-     * @p min_nodes_per_process in it. Throws InputError if a side of a fault
+     * @p min_nodes_per_process in it. Nodal vectors have @p n_components
+     * entries for each node. Throws InputError if a side of a fault
      * has no faces, or if both are plane and not opposite to each other.
      */
-    MeshHierarchy(const std::vector<CoarseBody<dim>> &bodies,
-                  const FaultTopology                &topology,
-                  const MPI_Comm                     &communicator,
-                  const unsigned int min_nodes_per_process = 500);
+    MeshHierarchy(
+      const std::vector<CoarseBody<dim>> &bodies,
+      const FaultTopology                &topology,
+      const MPI_Comm                     &communicator,
+      const unsigned int min_nodes_per_process = usual_nodes_per_process,
+      const unsigned int n_components          = dim);
 
     /** Bodies that are bricks. */
-    MeshHierarchy(const std::vector<BodyGeometry<dim>> &bodies,
-                  const FaultTopology                  &topology,
-                  const MPI_Comm                       &communicator,
-                  const unsigned int min_nodes_per_process = 500);
+    MeshHierarchy(
+      const std::vector<BodyGeometry<dim>> &bodies,
+      const FaultTopology                  &topology,
+      const MPI_Comm                       &communicator,
+      const unsigned int min_nodes_per_process = usual_nodes_per_process);
 
     /** Bodies of a stack from bottom to top, they and their faults named by
      * numbers from one. */
-    MeshHierarchy(const std::vector<BodyGeometry<dim>> &bodies,
-                  const MPI_Comm                       &communicator,
-                  const unsigned int min_nodes_per_process = 500);
+    MeshHierarchy(
+      const std::vector<BodyGeometry<dim>> &bodies,
+      const MPI_Comm                       &communicator,
+      const unsigned int min_nodes_per_process = usual_nodes_per_process);
 
     unsigned int
     n_levels() const

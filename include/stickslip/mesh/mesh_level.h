@@ -5,8 +5,8 @@
 #define stickslip_mesh_mesh_level_h
 
 #include <stickslip/algebra/node_partition.h>
+#include <stickslip/geometry/fault_topology.h>
 #include <stickslip/mesh/body_mesh.h>
-#include <stickslip/mesh/fault_topology.h>
 
 namespace StickSlip
 {
@@ -31,13 +31,15 @@ namespace StickSlip
     MeshLevel() = default;
 
     /**
-     * @p node_owners: the process of each node, body after body. Throws
+     * @p node_owners: the process of each node, body after body;
+     * @p n_components: entries of nodal vectors for each node. Throws
      * InputError if a side of a fault has no faces. Collective.
      */
     MeshLevel(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
               const FaultTopology                                     &topology,
               const std::vector<unsigned int> &node_owners,
-              const MPI_Comm                  &communicator);
+              const MPI_Comm                  &communicator,
+              const unsigned int               n_components = dim);
 
     /** Number of nodes of all bodies. */
     types::global_dof_index

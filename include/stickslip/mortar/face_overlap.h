@@ -6,8 +6,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <stickslip/mesh/face_plane.h>
 #include <stickslip/mesh/fault_surface.h>
-#include <stickslip/mortar/face_plane.h>
 #include <stickslip/mortar/face_shape.h>
 
 #include <array>

@@ -9,8 +9,8 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <stickslip/mesh/face_plane.h>
 #include <stickslip/mesh/fault_surface.h>
-#include <stickslip/mortar/face_plane.h>
 #include <stickslip/mortar/face_shape.h>
 
 #include <array>

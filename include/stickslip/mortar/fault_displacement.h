@@ -25,13 +25,24 @@ namespace StickSlip
 
   /**
    * The values at given nodes, by global number, of a nodal vector: the same on
-   * all processes. Collective.
+   * all processes. Components that the vector does not have are zero: that out
+   * of the plane, where it is the only one, is the first. Collective.
    */
   template <int dim>
   std::vector<Tensor<1, dim>>
   gather_nodes(const NodalVector                          &values,
                const NodePartition                        &partition,
                const std::vector<types::global_dof_index> &nodes);
+
+  /**
+   * The displacements in the space of the mesh at given nodes: those of
+   * gather_nodes(), or none where bodies move out of the plane. Collective.
+   */
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  gather_displacements(const NodalVector                          &displacement,
+                       const NodePartition                        &partition,
+                       const std::vector<types::global_dof_index> &nodes);
 
   /**
    * The displacements of all faults. Collective.

@@ -4,9 +4,11 @@
 #ifndef stickslip_output_event_catalogue_h
 #define stickslip_output_event_catalogue_h
 
+#include <stickslip/output/event_source.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/node_positions.h>
+#include <stickslip/output/table_columns.h>
 #include <stickslip/output/table_file.h>
 
 #include <limits>
@@ -42,13 +44,16 @@ namespace StickSlip
      * it. */
     std::vector<double> nucleation;
 
+    /** From the start to the end, or to the last step. */
+    EventSource source;
+
     /** Members to or from a boost archive. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &fault &start &peak_time &end &peak_mean_slip_rate &peak_slip_rate
-        &mean_slip &nucleation;
+        &mean_slip &nucleation &source;
     }
   };
 
@@ -66,8 +71,11 @@ namespace StickSlip
       double              time     = 0;
       FaultStatistics     statistics;
       std::vector<double> nucleation;
+      FaultMotion         motion;
       bool                is_open    = false;
       double              start_slip = 0;
+      FaultMotion         start_motion;
+      std::vector<char>   has_ruptured;
       SlipEvent           event;
 
       /** Members to or from a boost archive. */
@@ -75,8 +83,8 @@ namespace StickSlip
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &name &has_past &time &statistics &nucleation &is_open
-          &start_slip &event;
+        archive &name &has_past &time &statistics &nucleation &motion &is_open
+          &start_slip &start_motion &has_ruptured &event;
       }
     };
 
@@ -104,7 +112,8 @@ namespace StickSlip
    * rate.
    *
    * Columns are the members of SlipEvent, with one for each number of where it
-   * nucleated: nucleation_x, _y, _z and _arc_length, as far as they are there.
+   * nucleated: nucleation_x, _y, _z and _arc_length, as far as they are there;
+   * in three dimensions the magnitude comes last.
    */
   template <int dim>
   class EventCatalogue
@@ -112,14 +121,19 @@ namespace StickSlip
   public:
     /**
      * @p start_slip_rate is the threshold in m/s, @p end_fraction the fraction
-     * of it at which an event ends. @p shapes: one entry a fault. Throws
-     * InputError if the file cannot be written.
+     * of it at which an event ends. @p shapes: one entry a fault, with a
+     * rigidity where moments are wanted. Throws InputError if the file cannot
+     * be written.
      */
     EventCatalogue(const std::string                   &file_name,
                    const std::vector<std::string>      &fault_names,
                    const std::vector<FaultLayout<dim>> &shapes,
                    const double                         start_slip_rate,
                    const double                         end_fraction);
+
+    /** The columns of the file. */
+    TableColumns
+    columns() const;
 
     /**
      * Take in an accepted step; @p faults in the order of the names given
@@ -162,14 +176,15 @@ namespace StickSlip
 
   private:
     void
-    add(const unsigned int     fault,
-        const double           time,
-        const FaultStatistics &now);
+    add(const unsigned int        fault,
+        const double              time,
+        const FaultSnapshot<dim> &snapshot);
 
     void
     write(const SlipEvent &event);
 
-    const NodePositions<dim> positions;
+    const NodePositions<dim>               positions;
+    const std::vector<std::vector<double>> rigidities;
 
     TableFile  file;
     double     start_slip_rate;

@@ -27,6 +27,10 @@ namespace StickSlip
      * even where the normal points downwards. */
     std::vector<Tensor<2, dim>> axes;
 
+    /** Rigidity of the rock at each node, Pa, see fault_rigidity(); empty where
+     * nobody needs it. */
+    std::vector<double> rigidity;
+
     /** True if the fault is level. */
     bool
     is_level() const

@@ -20,7 +20,7 @@ namespace StickSlip
   {
     static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-    /** Magnitude of the slip rate, m/s. */
+    /** Magnitude of the slip rate, m/s; open nodes have none. */
     double max_slip_rate  = nan;
     double mean_slip_rate = nan;
     double min_slip_rate  = nan;

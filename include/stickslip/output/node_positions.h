@@ -5,6 +5,7 @@
 #define stickslip_output_node_positions_h
 
 #include <stickslip/output/fault_layout.h>
+#include <stickslip/output/table_columns.h>
 
 #include <string>
 #include <vector>
@@ -12,9 +13,10 @@
 namespace StickSlip
 {
   /**
-   * Reference positions of the nodes of all faults as tables have them, m: x;
-   * where a fault of the scene is not level, all other coordinates, and in two
-   * dimensions the way along the fault (arc_lengths()).
+   * Reference positions of the nodes of all faults as tables have them, m: x
+   * and in three dimensions y; where a fault of the scene is not level, all
+   * other coordinates, and in two dimensions the way along the fault
+   * (arc_lengths()).
    */
   template <int dim>
   class NodePositions
@@ -23,10 +25,10 @@ namespace StickSlip
     /** @p shapes: one entry a fault. */
     explicit NodePositions(const std::vector<FaultLayout<dim>> &shapes);
 
-    /** Titles of the columns of a position, each after a comma: @p name and
-     * _x, _y, _z and _arc_length, as far as they are there. */
-    std::string
-    titles(const std::string &name) const;
+    /** Columns of the position of @p what: titles are @p name and _x, _y, _z
+     * and _arc_length, as far as they are there. */
+    TableColumns
+    columns(const std::string &name, const std::string &what) const;
 
     /** Numbers in the columns of a position. */
     const std::vector<double> &

@@ -6,6 +6,7 @@
 
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/node_positions.h>
+#include <stickslip/output/table_columns.h>
 #include <stickslip/output/table_file.h>
 
 #include <limits>
@@ -115,6 +116,10 @@ namespace StickSlip
     OpeningCatalogue(const std::string                   &file_name,
                      const std::vector<FaultLayout<dim>> &shapes,
                      const double                         threshold);
+
+    /** The columns of the file. */
+    TableColumns
+    columns() const;
 
     /**
      * Take in an accepted step; @p faults in the order of the shapes. Those

@@ -4,6 +4,8 @@
 #ifndef stickslip_output_output_cadence_h
 #define stickslip_output_output_cadence_h
 
+#include <stickslip/parameters/automatic_number.h>
+
 #include <cmath>
 
 namespace StickSlip
@@ -35,9 +37,10 @@ namespace StickSlip
     double slip_rate_factor;
     /** Slip since the last time, from the slip rate, m; zero: not for this
      * reason. */
-    double slip_interval;
+    AutomaticNumber slip_interval;
     /** Shortest and longest time since the last time, s. */
-    double shortest_interval, longest_interval;
+    double          shortest_interval;
+    AutomaticNumber longest_interval;
   };
 
   /**

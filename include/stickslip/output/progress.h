@@ -12,9 +12,12 @@ namespace StickSlip
 {
   /**
    * Progress of a run for the user: percent done, simulated time, step size,
-   * largest slip rate and estimated time left. On a terminal one line is
-   * rewritten, at most once a second; elsewhere plain lines follow each other,
-   * at most one in ten seconds.
+   * largest slip rate and estimated time left. Events take most of the steps:
+   * the time left is estimated from the time up to the end of the last one,
+   * as if events came as often until the end; before there is one, all that is
+   * known is that it takes at least what steps have taken so far. On a terminal
+   * one line is rewritten, at most once a second; elsewhere plain lines follow
+   * each other, at most one in ten seconds.
    */
   class Progress
   {
@@ -28,10 +31,14 @@ namespace StickSlip
              const std::function<double()> clock = wall_clock);
 
     /**
-     * Report an accepted step; prints if enough time has passed.
+     * Report an accepted step, and how many events have ended so far; prints if
+     * enough time has passed.
      */
     void
-    update(const double time, const double step_size, const double slip_rate);
+    update(const double       time,
+           const double       step_size,
+           const double       slip_rate,
+           const unsigned int n_events = 0);
 
     /**
      * Print the last report if it has not been, and end the line.
@@ -46,6 +53,10 @@ namespace StickSlip
     void
     print();
 
+    /** The estimate in words, empty where there is none. */
+    std::string
+    time_left(const double now) const;
+
     std::ostream           &out;
     bool                    is_terminal;
     double                  end_time;
@@ -54,14 +65,19 @@ namespace StickSlip
     double start_of_run;
     double last_print;
 
-    bool        has_report  = false;
-    bool        is_printed  = false;
-    double      time        = 0;
-    double      step_size   = 0;
-    double      slip_rate   = 0;
-    double      start_time  = 0;
-    bool        has_started = false;
-    std::size_t last_length = 0;
+    bool   has_report  = false;
+    bool   is_printed  = false;
+    double time        = 0;
+    double step_size   = 0;
+    double slip_rate   = 0;
+    double start_time  = 0;
+    bool   has_started = false;
+
+    /** Events before this run, and with them; simulated and wall time when the
+     * last one had ended. */
+    unsigned int n_earlier_events = 0, n_events = 0;
+    double       time_of_event = 0, clock_at_event = 0;
+    std::size_t  last_length = 0;
   };
 
   /**

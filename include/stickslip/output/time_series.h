@@ -5,6 +5,7 @@
 #define stickslip_output_time_series_h
 
 #include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/table_columns.h>
 #include <stickslip/output/table_file.h>
 
 #include <string>
@@ -39,6 +40,10 @@ namespace StickSlip
     TimeSeries(const std::string                     &file_name,
                const std::vector<FaultSnapshot<dim>> &faults,
                const FileState                       &earlier);
+
+    /** The columns of the file of these faults. */
+    static TableColumns
+    columns(const std::vector<FaultSnapshot<dim>> &faults);
 
     /** The file as it is now. */
     FileState

@@ -16,6 +16,16 @@
 namespace StickSlip
 {
   /**
+   * A number of the material, as a function of the position.
+   */
+  template <int dim>
+  struct VolumeMaterialField
+  {
+    std::string                               name, units;
+    std::function<double(const Point<dim> &)> value;
+  };
+
+  /**
    * Material of a body for the writer, as functions of the position.
    */
   template <int dim>
@@ -25,10 +35,8 @@ namespace StickSlip
     std::function<std::pair<double, double>(const Point<dim> &)>
       lame_parameters;
 
-    /** Values to write besides, by name; the same names for all bodies. */
-    std::vector<
-      std::pair<std::string, std::function<double(const Point<dim> &)>>>
-      fields;
+    /** Values to write besides; the same names for all bodies. */
+    std::vector<VolumeMaterialField<dim>> fields;
   };
 
   /**
@@ -44,9 +52,13 @@ namespace StickSlip
    * Write the @p fields of all bodies into one VTU file in @p directory, with
    * the ending for this step; returns its name. One process writes for all.
    *
-   * Stress (Pa) and strain are those of each cell's centre; the stress is the
-   * elastic one, tension positive. In two dimensions the stress out of the
-   * plane is left out. Fields of @p materials are those of the centre, too.
+   * Vectors have three components; where bodies move out of the plane, z is
+   * the axis that they move along. Stress (Pa) and strain are those of each
+   * cell's centre, as cell data; the stress is the elastic one, tension
+   * positive, in plane strain with that out of the plane, stress_zz; where
+   * bodies move out of the plane, both have the entries with z. Fields of @p
+   * materials are those of the centre, too. The names of the bodies are the
+   * strings body_names of the file.
    */
   template <int dim>
   std::string
@@ -56,6 +68,7 @@ namespace StickSlip
                const MeshLevel<dim>                   &level,
                const VolumeNodalValues                &values,
                const std::vector<VolumeMaterial<dim>> &materials,
+               const std::vector<std::string>         &body_names,
                const std::vector<VolumeField>         &fields);
 } // namespace StickSlip
 

@@ -27,6 +27,9 @@ namespace StickSlip
     /** Allowed values, in words. */
     std::string allowed;
 
+    /** SI unit of its numbers; empty if they have none. */
+    std::string unit;
+
     /** True if the entry sets a SpatialField. */
     bool is_field = false;
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <stickslip/parameters/automatic_number.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/spatial_field.h>
 
@@ -33,6 +34,14 @@ namespace StickSlip
   add_number(ParameterHandler  &prm,
              const std::string &entry,
              double            &value,
+             const NumberRange &range,
+             const std::string &documentation);
+
+  /** Declare a number that follows from others where the entry is `auto`. */
+  void
+  add_number(ParameterHandler  &prm,
+             const std::string &entry,
+             AutomaticNumber   &value,
              const NumberRange &range,
              const std::string &documentation);
 

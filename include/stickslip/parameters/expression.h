@@ -20,7 +20,10 @@ namespace StickSlip
    *
    * Besides what muParser has, there are the constant pi and the functions
    * if(condition, then, else), int, ceil, floor, pow, sec, csc, cot, erf and
-   * erfc. Spaces may stand between the name of a function and its parenthesis.
+   * erfc. A unit of units_in_expressions() after a number or a parenthesis
+   * multiplies it by its value in SI units, whatever the expression is for:
+   * "if(x < 5 km, 30 GPa, 40 GPa)". Spaces may stand between the name of a
+   * function and its parenthesis.
    */
   template <int dim>
   class Expression

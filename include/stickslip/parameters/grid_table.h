@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace StickSlip
@@ -52,8 +53,19 @@ namespace StickSlip
     double
     value(const Point<dim> &point) const;
 
+    /**
+     * True if a point is not beyond the ends of the grid. All axes() must be
+     * less than @p dim.
+     */
+    template <int dim>
+    bool
+    covers(const Point<dim> &point) const;
+
   private:
     std::vector<unsigned int> column_axes;
+
+    /** The ends of the grid along the coordinates in the order of the file. */
+    std::vector<std::pair<double, double>> ends;
 
     /** The function of the coordinates in the order of the file. */
     std::function<double(const std::array<double, 3> &)> interpolation;

@@ -20,6 +20,10 @@ namespace StickSlip
    * list of a given number of these, separated by commas. For example
    * NumberRange().above(-1).below(0.5). deal.II's patterns know only bounds
    * that are included.
+   *
+   * Numbers that have a unit are in SI units; they may be written with any
+   * unit of the same dimensions (see read_quantity()), and the bounds are for
+   * their value in SI units.
    */
   class NumberRange : public Patterns::PatternBase
   {
@@ -68,6 +72,14 @@ namespace StickSlip
       return *this;
     }
 
+    /** Say in which unit, of SI or degrees, the numbers are. */
+    NumberRange &
+    in(const std::string &new_unit)
+    {
+      unit = new_unit;
+      return *this;
+    }
+
     /** Require a list of @p n numbers. */
     NumberRange &
     times(const unsigned int n)
@@ -90,7 +102,17 @@ namespace StickSlip
     }
 
     /**
-     * The numbers in a string that match() accepts.
+     * Mistakes in the units of a string of numbers: they are unknown, or
+     * of other dimensions. Empty if nothing is, and for anything but numbers.
+     */
+    std::string
+    mistaken_unit(const std::string &text) const;
+
+    /** Characters before and after the unit in description(). */
+    static constexpr auto before_unit = " (in ", after_unit = ")";
+
+    /**
+     * The numbers in a string that match() accepts, in SI units.
      */
     static std::vector<double>
     values(const std::string &text);
@@ -108,6 +130,7 @@ namespace StickSlip
     bool         upper_included = false;
     bool         only_whole     = false;
     unsigned int n_numbers      = 1;
+    std::string  unit;
   };
 
   /**

@@ -17,7 +17,8 @@ namespace StickSlip
 
   /**
    * Pattern of a possibly empty list of points of a plane, separated by
-   * commas, each of which is two finite numbers: "0 0, 1 0, 1 2.5".
+   * commas, each of which is two finite numbers, in m or with a unit of length:
+   * "0 0, 1 0, 1 2.5", "0 0, 40 km -2 km".
    */
   class PointList : public Patterns::PatternBase
   {
@@ -41,7 +42,7 @@ namespace StickSlip
       return std::make_unique<PointList>(*this);
     }
 
-    /** The points in a string that match() accepts. */
+    /** The points in a string that match() accepts, in m. */
     static std::vector<Point<2>>
     values(const std::string &text);
 

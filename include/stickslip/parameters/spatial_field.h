@@ -12,9 +12,9 @@
 namespace StickSlip
 {
   /**
-   * A parameter that may vary in space: a number; a muParser expression in the
-   * coordinates x, y (z), in m; or `table FILE`, the interpolation of a
-   * GridTable. A number costs no more than a number.
+   * A parameter that may vary in space: a number, with a unit or without; a
+   * muParser expression in the coordinates x, y (z), in m; or `table FILE`, the
+   * interpolation of a GridTable. A number costs no more than a number.
    */
   class SpatialField
   {
@@ -29,8 +29,8 @@ namespace StickSlip
 
     /**
      * Become what the text of a parameter file says. Throws InputError if it
-     * names a table that cannot be read; whether an expression can be read
-     * shows in function().
+     * names a table that cannot be read or has a wrong unit; whether an
+     * expression can be read shows in function().
      */
     void
     set(const std::string &text);
@@ -48,6 +48,24 @@ namespace StickSlip
     {
       entry = new_entry;
       range = new_range;
+    }
+
+    /** Let the text be empty from now on, which it is: nothing is given then,
+     * and the field is a number all the same. */
+    void
+    make_optional(const double value_if_empty);
+
+    bool
+    is_optional() const
+    {
+      return optional;
+    }
+
+    /** False if the text is empty. */
+    bool
+    is_given() const
+    {
+      return given;
     }
 
     bool
@@ -85,6 +103,14 @@ namespace StickSlip
            const std::string             &section) const;
 
     /**
+     * True if the field is a table, and all of some points are beyond its ends,
+     * where it goes on with the values there.
+     */
+    template <int dim>
+    bool
+    is_table_elsewhere(const std::vector<Point<dim>> &points) const;
+
+    /**
      * The text of a field where the file of a table has an absolute path: a
      * relative one begins in @p folder, or in the current one if that is
      * empty. Any other text is returned as it is.
@@ -100,6 +126,10 @@ namespace StickSlip
 
     std::string entry;
     NumberRange range;
+
+    bool   given          = true;
+    bool   optional       = false;
+    double value_if_empty = 0;
   };
 } // namespace StickSlip
 

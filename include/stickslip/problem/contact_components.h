@@ -27,7 +27,8 @@ namespace StickSlip
    * The components that never take part: those that @p dirichlet masks, those
    * of hanging nodes, the jumps at the nodes @p prescribed_slip, and the normal
    * jumps, which are zero, but for those of the nodes @p opening (both
-   * ascending). Over the global numbers of all nodes.
+   * ascending). Over the global numbers of all nodes. Where the only component
+   * is that out of the plane, there is no normal one.
    */
   template <int dim>
   NodeMask

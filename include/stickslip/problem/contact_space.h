@@ -34,19 +34,23 @@ namespace StickSlip
    * these axes in w (LevelDescription::frames). Nodal vectors u and vectors w
    * of the jump basis have the same owned entries, and different ghosts; those
    * of the jump basis change with the contact mapping.
+   *
+   * Displacements have @p n_components: those of space, or, in antiplane
+   * scenes, the one out of the plane, which has no axes to turn, no normal jump
+   * and no rotations, and leaves the contact mapping as it is.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class ContactSpace
   {
   public:
     /** @p materials in the order of the bodies; @p slip_rates, @p opening:
      * known slip rates and what may open, one entry a fault, or none at all.
      * Nodes whose slip rate is known do not open. There are no bases yet. */
-    ContactSpace(const MeshHierarchy<dim>             &meshes,
-                 const std::vector<MaterialFields>    &materials,
-                 const BoundaryValues<dim>            &boundary_values,
-                 const std::vector<SlipRates<dim>>    &slip_rates,
-                 const std::vector<OpeningParts<dim>> &opening);
+    ContactSpace(const MeshHierarchy<dim>                &meshes,
+                 const std::vector<MaterialFields>       &materials,
+                 const BoundaryValues<dim, n_components> &boundary_values,
+                 const std::vector<SlipRates<dim>>       &slip_rates,
+                 const std::vector<OpeningParts<dim>>    &opening);
 
     const MeshHierarchy<dim> &
     meshes() const;
@@ -59,10 +63,6 @@ namespace StickSlip
      * faults; none of faults that are plane. */
     const std::vector<std::optional<LargestGap>> &
     gaps() const;
-
-    /** Return whether some node may open. */
-    bool
-    has_openings() const;
 
     /** Return whether the normal jump of a contact node of the finest level,
      * given by its global number, is free, since the node may open. */
@@ -124,15 +124,15 @@ namespace StickSlip
     set_mapping(Mapping mapping, const BlockSparsity &sparsity);
 
     /** Unknowns of all levels and the transfers between them. */
-    const std::vector<LevelDescription<dim>> &
+    const std::vector<LevelDescription<n_components>> &
     descriptions() const;
 
     /** The product of a nodal matrix with the rows of B, and what makes it
      * B^T A B. */
-    GalerkinProduct<dim> &
+    GalerkinProduct<n_components> &
     jump_product();
 
-    const RotationCoupling<dim> &
+    const RotationCoupling<dim, n_components> &
     rotation_coupling() const;
 
   private:
@@ -149,8 +149,8 @@ namespace StickSlip
 
     /** Set masks and nonsmooth nodes of all levels. */
     void
-    describe(std::vector<LevelDescription<dim>> &levels,
-             const std::vector<JumpBasis<dim>>  &bases) const;
+    describe(std::vector<LevelDescription<n_components>> &levels,
+             const std::vector<JumpBasis<dim>>           &bases) const;
 
     const MeshHierarchy<dim> &mesh_hierarchy;
     std::vector<FaultSides>   sides;
@@ -159,7 +159,7 @@ namespace StickSlip
     std::vector<FaultAxes<dim>> axes;
     std::vector<NodeMask>       dirichlet_masks;
     /** Axes of nodes that boundary conditions ask for, level by level. */
-    std::vector<NodeFrames<dim>> boundary_frames;
+    std::vector<NodeFrames<n_components>> boundary_frames;
     /** Null where friction acts on all faults. */
     std::unique_ptr<PrescribedSlip<dim>> prescribed_slip;
     /** Slave nodes whose normal jumps are not fixed, level by level, ascending:
@@ -170,11 +170,11 @@ namespace StickSlip
 
     std::vector<std::optional<LargestGap>> largest_gaps;
 
-    std::unique_ptr<JumpBasis<dim>>       finest_basis;
-    std::unique_ptr<GalerkinProduct<dim>> to_jump_basis;
-    TransferMatrix                        B_inverse;
-    RotationCoupling<dim>                 rotation;
-    std::vector<LevelDescription<dim>>    levels;
+    std::unique_ptr<JumpBasis<dim>>                finest_basis;
+    std::unique_ptr<GalerkinProduct<n_components>> to_jump_basis;
+    TransferMatrix                                 B_inverse;
+    RotationCoupling<dim, n_components>            rotation;
+    std::vector<LevelDescription<n_components>>    levels;
   };
 } // namespace StickSlip
 

@@ -26,7 +26,7 @@ namespace StickSlip
    * of a combination of the terms. M is there only if inertia is asked for, C
    * only if a body is viscous.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class EquationOfMotion
   {
   public:
@@ -41,11 +41,11 @@ namespace StickSlip
     /** Assembles the terms in the nodal basis. @p space must outlive this
      * object; @p materials in the order of the bodies; @p gravity: its
      * acceleration, m/s^2. Without inertia M is never assembled. */
-    EquationOfMotion(const ContactSpace<dim>           &space,
-                     const std::vector<MaterialFields> &materials,
-                     BoundaryValues<dim>               &boundary_values,
-                     const Tensor<1, dim>              &gravity,
-                     const bool                         with_inertia);
+    EquationOfMotion(const ContactSpace<dim, n_components> &space,
+                     const std::vector<MaterialFields>     &materials,
+                     BoundaryValues<dim, n_components>     &boundary_values,
+                     const Tensor<1, dim>                  &gravity,
+                     const bool                             with_inertia);
 
     /** True if the equation has this term. */
     bool
@@ -55,7 +55,7 @@ namespace StickSlip
     }
 
     /** A term that it has, on the finest level in the jump basis. */
-    const BlockMatrix<dim> &
+    const BlockMatrix<n_components> &
     term(const Term term) const;
 
     /** Set the operator to a combination of M, C and K; what the equation does
@@ -72,26 +72,26 @@ namespace StickSlip
     }
 
     /** The operator on the finest level, and its terms. */
-    OperatorSum<dim> &
+    OperatorSum<n_components> &
     operators()
     {
       return *operator_sum;
     }
 
-    const OperatorSum<dim> &
+    const OperatorSum<n_components> &
     operators() const
     {
       return *operator_sum;
     }
 
     /** The preconditioner. */
-    LevelHierarchy<dim> &
+    LevelHierarchy<n_components> &
     hierarchy()
     {
       return *levels;
     }
 
-    const LevelHierarchy<dim> &
+    const LevelHierarchy<n_components> &
     hierarchy() const
     {
       return *levels;
@@ -101,7 +101,7 @@ namespace StickSlip
     NodalVector
     load(const double time);
 
-    BoundaryValues<dim> &
+    BoundaryValues<dim, n_components> &
     boundary_values()
     {
       return boundary;
@@ -141,23 +141,23 @@ namespace StickSlip
     /** Make operator and levels; @p product, @p rotation: to the jump basis, @p
      * descriptions: of the levels of the contact space. Collective. */
     void
-    make_operator(GalerkinProduct<dim>              &product,
-                  const RotationCoupling<dim>       &rotation,
-                  std::vector<LevelDescription<dim>> descriptions);
+    make_operator(GalerkinProduct<n_components>              &product,
+                  const RotationCoupling<dim, n_components>  &rotation,
+                  std::vector<LevelDescription<n_components>> descriptions);
 
   private:
-    const ContactSpace<dim> &space;
-    BoundaryValues<dim>     &boundary;
+    const ContactSpace<dim, n_components> &space;
+    BoundaryValues<dim, n_components>     &boundary;
     /** Terms in the nodal basis, and their names in the same order. */
-    std::vector<BlockMatrix<dim>> nodal_terms;
-    std::vector<Term>             terms;
+    std::vector<BlockMatrix<n_components>> nodal_terms;
+    std::vector<Term>                      terms;
     /** Empty without gravity. */
     NodalVector gravity_load;
     /** In the jump basis, empty without a background stress. */
     NodalVector fault_load;
 
-    std::unique_ptr<OperatorSum<dim>>    operator_sum;
-    std::unique_ptr<LevelHierarchy<dim>> levels;
+    std::unique_ptr<OperatorSum<n_components>>    operator_sum;
+    std::unique_ptr<LevelHierarchy<n_components>> levels;
   };
 } // namespace StickSlip
 

@@ -29,12 +29,25 @@ namespace StickSlip
   };
 
   /**
+   * Solve K w = load, in the jump basis, for all components that are not fixed
+   * but the jumps, which stay as they are in @p w, and so do those that are
+   * fixed: by CG with a V-cycle. Returns the number of iterations. Throws
+   * AgreedFailure if that does not converge. Changes the operator and its
+   * linearisation. Collective.
+   */
+  template <int dim, int n_components = dim>
+  unsigned int
+  solve_with_known_jumps(SpatialProblem<dim, n_components> &problem,
+                         const NodalVector                 &load,
+                         NodalVector                       &w);
+
+  /**
    * Solve for the equilibrium by CG with a V-cycle. Prescribed velocities count
    * as zero displacements. Throws AgreedFailure if that does not converge.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   InitialEquilibrium<dim>
-  solve_initial_equilibrium(SpatialProblem<dim> &problem);
+  solve_initial_equilibrium(SpatialProblem<dim, n_components> &problem);
 } // namespace StickSlip
 
 #endif

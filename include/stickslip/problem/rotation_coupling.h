@@ -29,7 +29,7 @@ namespace StickSlip
    *
    * Without curved faults K is zero, and nothing is stored or done.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class RotationCoupling
   {
   public:
@@ -38,10 +38,10 @@ namespace StickSlip
     /** The coupling of the active slave nodes of @p basis; @p frames: the axes
      * of all nodes, @p nodes, @p sparsity: of vectors and matrices in that
      * basis. Collective. */
-    RotationCoupling(const JumpBasis<dim>  &basis,
-                     const NodeFrames<dim> &frames,
-                     const NodePartition   &nodes,
-                     const BlockSparsity   &sparsity);
+    RotationCoupling(const JumpBasis<dim>           &basis,
+                     const NodeFrames<n_components> &frames,
+                     const NodePartition            &nodes,
+                     const BlockSparsity            &sparsity);
 
     /** True if K is zero on all processes. */
     bool
@@ -60,11 +60,11 @@ namespace StickSlip
 
     /** A becomes (1 - K)^T A (1 - K). */
     void
-    transform(BlockMatrix<dim> &A) const;
+    transform(BlockMatrix<n_components> &A) const;
 
   private:
     /** The blocks of one slave node: local indices of master nodes. */
-    using Row = std::vector<std::pair<unsigned int, Tensor<2, dim>>>;
+    using Row = std::vector<std::pair<unsigned int, Tensor<2, n_components>>>;
 
     bool         is_needed = false;
     unsigned int n_owned   = 0;

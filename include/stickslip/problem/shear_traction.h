@@ -49,14 +49,14 @@ namespace StickSlip
    * of @p state are below least_slip_rate or prescribed. Empty if there is no
    * such node. @p A and @p b: the rate problem, @p w its solution. Collective.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   std::vector<Tensor<1, dim - 1>>
-  balancing_tractions(const FaultNodes<dim>  &faults,
-                      const NodeLaws         &laws,
-                      const SystemState<dim> &state,
-                      const BlockMatrix<dim> &A,
-                      const NodalVector      &b,
-                      const NodalVector      &w);
+  balancing_tractions(const FaultNodes<dim>           &faults,
+                      const NodeLaws                  &laws,
+                      const SystemState<dim>          &state,
+                      const BlockMatrix<n_components> &A,
+                      const NodalVector               &b,
+                      const NodalVector               &w);
 } // namespace StickSlip
 
 #endif

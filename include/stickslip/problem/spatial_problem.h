@@ -5,6 +5,7 @@
 #define stickslip_problem_spatial_problem_h
 
 #include <stickslip/faults/background_stress.h>
+#include <stickslip/faults/prestress.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/equation_of_motion.h>
 
@@ -15,8 +16,9 @@ namespace StickSlip
    * equation of motion in its jump basis, which change together with the
    * contact mapping.
    */
-  template <int dim>
-  class SpatialProblem : public ContactSpace<dim>, public EquationOfMotion<dim>
+  template <int dim, int n_components = dim>
+  class SpatialProblem : public ContactSpace<dim, n_components>,
+                         public EquationOfMotion<dim, n_components>
   {
   public:
     /** Couples the faults as they are without displacement; for the arguments
@@ -24,7 +26,7 @@ namespace StickSlip
      * stress has no value at a node. */
     SpatialProblem(const MeshHierarchy<dim>             &meshes,
                    const std::vector<MaterialFields>    &materials,
-                   BoundaryValues<dim>                  &boundary_values,
+                   BoundaryValues<dim, n_components>    &boundary_values,
                    const Tensor<1, dim>                 &gravity,
                    const bool                            with_inertia = true,
                    const std::vector<SlipRates<dim>>    &slip_rates   = {},
@@ -54,8 +56,19 @@ namespace StickSlip
       return background;
     }
 
+    /** Let shear stresses act on the faults that the bodies do not carry, from
+     * now on with any contact mapping: Pa, at each slave node, slave relative
+     * to master; empty for none. */
+    void
+    set_prestress(const std::vector<Tensor<1, dim - 1>> &shear_stress);
+
   private:
-    BackgroundStress<dim> background;
+    /** Set the load of what acts on faults only. */
+    void
+    load_faults();
+
+    BackgroundStress<dim>           background;
+    std::vector<Tensor<1, dim - 1>> prestress;
   };
 } // namespace StickSlip
 

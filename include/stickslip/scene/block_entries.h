@@ -6,7 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <stickslip/mesh/block.h>
+#include <stickslip/geometry/block.h>
 
 #include <array>
 #include <string>

@@ -20,11 +20,15 @@ namespace StickSlip
       check,
       print_help,
       print_version,
+      print_parameters,
       print_parameter_reference
     };
 
     Task        task = Task::run;
     std::string parameter_file;
+
+    /** Further files to check. */
+    std::vector<std::string> more_files;
 
     /** Go on with the run whose results are there, or replace them. */
     bool restart   = false;

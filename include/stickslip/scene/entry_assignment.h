@@ -26,6 +26,14 @@ namespace StickSlip
                 const Assignment                 &assignment);
 
   /**
+   * Throw InputError that says that an entry, or a subsection that it is in, is
+   * not among the @p entries, and what there is in its place.
+   */
+  [[noreturn]] void
+  refuse_entry(const Assignment                 &assignment,
+               const std::vector<DeclaredEntry> &entries);
+
+  /**
    * Set one of the declared @p entries of @p prm. Throws InputError if there
    * is no such entry, with those that are there, or if it cannot have this
    * value, with what it must be.

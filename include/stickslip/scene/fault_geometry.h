@@ -6,7 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <stickslip/mesh/fault_shape.h>
+#include <stickslip/geometry/fault_shape.h>
 #include <stickslip/parameters/spatial_field.h>
 
 #include <functional>

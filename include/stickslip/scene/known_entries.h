@@ -13,11 +13,20 @@ namespace StickSlip
 {
   /**
    * Throw InputError if there is no such entry in any scene, whatever the names
-   * of its bodies, faults and sides, with the nearest one that there is. A
-   * scene that misses something may have it under a misspelt name.
+   * of its bodies, faults and sides, with the nearest one that there is. This
+   * comes first: what a scene misses may be there under a misspelt name.
    */
   void
   refuse_unknown_entries(const std::vector<Assignment> &assignments);
+
+  /**
+   * Throw InputError if there is an entry in the subsection of a body, fault,
+   * region or side that is not in the list of these: it would have no effect.
+   * @p top_sections: 'Bodies', 'Faults' or 'Boundary conditions'.
+   */
+  void
+  refuse_unlisted_names(const std::vector<Assignment>  &assignments,
+                        const std::vector<std::string> &top_sections);
 
   /**
    * The candidate that takes the fewest characters inserted, removed or

@@ -4,7 +4,7 @@
 #ifndef stickslip_scene_mesh_entries_h
 #define stickslip_scene_mesh_entries_h
 
-#include <stickslip/mesh/fault_cutting.h>
+#include <stickslip/geometry/fault_cutting.h>
 
 #include <array>
 #include <string>

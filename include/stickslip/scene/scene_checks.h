@@ -22,6 +22,14 @@ namespace StickSlip
   check_scene(const SceneParameters<dim> &scene);
 
   /**
+   * Check that lower limits of steps and output are below upper ones, after
+   * derive_limits(). Throws InputError with one sentence if not.
+   */
+  template <int dim>
+  void
+  check_limits(const SceneParameters<dim> &scene);
+
+  /**
    * Check that everything the scene asks for runs on as many processes. Throws
    * InputError with one sentence if not.
    */

@@ -7,10 +7,11 @@
 #include <deal.II/base/tensor.h>
 
 #include <stickslip/friction/fault_parameters.h>
+#include <stickslip/geometry/coarse_body.h>
+#include <stickslip/geometry/fault_topology.h>
 #include <stickslip/mechanics/boundary_condition.h>
+#include <stickslip/mechanics/deformation.h>
 #include <stickslip/mechanics/material_fields.h>
-#include <stickslip/mesh/coarse_body.h>
-#include <stickslip/mesh/fault_topology.h>
 #include <stickslip/mortar/contact_parameters.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/scene/block_entries.h>
@@ -53,6 +54,9 @@ namespace StickSlip
   template <int dim>
   struct SceneParameters
   {
+    /** Of bodies in two dimensions. */
+    Deformation deformation = Deformation::plane_strain;
+
     std::vector<BodyParameters<dim>> bodies;
 
     std::vector<FaultParameters> faults;
@@ -90,6 +94,20 @@ namespace StickSlip
     SceneParameters()
     {
       periodic.fill(false);
+    }
+
+    /** Number of components of displacements. */
+    unsigned int
+    n_components() const
+    {
+      return deformation == Deformation::antiplane ? 1 : dim;
+    }
+
+    /** The axis of a component of displacements. */
+    char
+    axis_name(const unsigned int component) const
+    {
+      return deformation == Deformation::antiplane ? 'z' : "xyz"[component];
     }
 
     /** The acceleration of gravity along the axes of the scene, m/s^2: the

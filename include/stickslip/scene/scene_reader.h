@@ -47,10 +47,32 @@ namespace StickSlip
     std::vector<std::string>
     input_files() const;
 
+    /** Sentences on bodies, faults, regions and sides that are listed, but have
+     * no subsection, so that all of theirs is as by default. */
+    std::vector<std::string>
+    warnings() const;
+
+    /** The message of an error that begins with the path of an entry in quotes,
+     * with what the scene says there, and file and line. Other messages, and
+     * those that have them, are returned as they are. */
+    std::string
+    with_origin(const std::string &message) const;
+
   private:
     /** The last assignment to an entry; nullptr if there is none. */
     const Assignment *
     find(const std::string &path) const;
+
+    /** As with_origin(), where the entry at the beginning is not set: the first
+     * other one of its section that is named with its value. */
+    std::string
+    with_origin_of_other(const std::string &message,
+                         const std::string &path) const;
+
+    /** The last assignment to an entry, or to that of the fault which an entry
+     * of a region takes its value from; nullptr if there is none. */
+    const Assignment *
+    find_or_inherited(const std::string &path) const;
 
     std::vector<std::string>
     names(const std::string &path, const unsigned int words_per_name) const;
@@ -58,6 +80,15 @@ namespace StickSlip
     template <int dim>
     SceneParameters<dim>
     named_scene() const;
+
+    /** The scene, with errors that may not name file and line. */
+    template <int dim>
+    SceneParameters<dim>
+    checked_scene() const;
+
+    /** The sides in the entry 'Between' of a fault. */
+    std::array<std::vector<MeshFault::Side>, 2>
+    parsed_between(const FaultParameters &fault) const;
 
     bool
     has_gap_from_mesh(const FaultParameters &fault) const;

@@ -20,11 +20,11 @@ namespace StickSlip
               const BoundaryCondition<dim> &condition);
 
   /**
-   * The directions of the components of a condition as columns; the normal of a
-   * side may have either sign.
+   * The directions of the components of a condition as columns, for a curved
+   * side at each of its faces; the normal may have either sign.
    */
   template <int dim>
-  Tensor<2, dim>
+  std::vector<Tensor<2, dim>>
   side_directions(const SceneParameters<dim>   &scene,
                   const BoundaryCondition<dim> &condition);
 
@@ -37,12 +37,15 @@ namespace StickSlip
 
   /**
    * The corners and the centre of a fault, as far as its two sides lie opposite
-   * to each other, and a grid of 21 points along each axis, m; of each pair of
-   * bodies on the two sides. With mesh files, the vertices of its first side.
+   * to each other, and a grid of so many intervals along each axis, m; of each
+   * pair of bodies on the two sides. With mesh files, the vertices of its first
+   * side.
    */
   template <int dim>
   std::vector<Point<dim>>
-  fault_points(const SceneParameters<dim> &scene, const unsigned int fault);
+  fault_points(const SceneParameters<dim> &scene,
+               const unsigned int          fault,
+               const unsigned int          n_intervals = 20);
 } // namespace StickSlip
 
 #endif

@@ -52,17 +52,17 @@ namespace StickSlip
   /** How far the sides are apart along the normal at each slave node after a
    * displacement, m, with the present contact mapping: the mean over the dual
    * function, which is not zero where sides bend that touch. Collective. */
-  template <int dim>
+  template <int dim, int n_components = dim>
   std::vector<double>
-  side_distances(const ContactSpace<dim> &space,
-                 const NodalVector       &displacement);
+  side_distances(const ContactSpace<dim, n_components> &space,
+                 const NodalVector                     &displacement);
 
   /** side_distances() of a state; empty where nothing is open or no fault
    * bends: gaps do not change with the mapping then. */
-  template <int dim>
+  template <int dim, int n_components = dim>
   std::vector<double>
-  distances_of_gaps(const ContactSpace<dim> &space,
-                    const SystemState<dim>  &state);
+  distances_of_gaps(const ContactSpace<dim, n_components> &space,
+                    const SystemState<dim>                &state);
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
@@ -73,13 +73,13 @@ namespace StickSlip
    * touch keep doing so; gaps of others change by as much as their
    * distances_of_gaps() from those with the mapping before. Collective.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   void
-  change_contact(SystemState<dim>          &state,
-                 const ContactSpace<dim>   &space,
-                 const FaultNodes<dim>     &before,
-                 const FaultNodes<dim>     &now,
-                 const std::vector<double> &distances_before = {});
+  change_contact(SystemState<dim>                      &state,
+                 const ContactSpace<dim, n_components> &space,
+                 const FaultNodes<dim>                 &before,
+                 const FaultNodes<dim>                 &now,
+                 const std::vector<double>             &distances_before = {});
 } // namespace StickSlip
 
 #endif

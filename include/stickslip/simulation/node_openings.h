@@ -13,10 +13,10 @@ namespace StickSlip
   /** Freedom of each slave node along the normal; empty where no fault of the
    * scene may open. @p space as it is without displacement. Throws InputError
    * where a field has no value. Collective. */
-  template <int dim>
+  template <int dim, int n_components = dim>
   std::vector<NodeOpening>
-  make_node_openings(const SceneParameters<dim> &scene,
-                     const ContactSpace<dim>    &space);
+  make_node_openings(const SceneParameters<dim>            &scene,
+                     const ContactSpace<dim, n_components> &space);
 
   /** The parts of the faults that may open, one entry a fault, none at all
    * where nothing may. The scene must outlive them. */

@@ -24,14 +24,15 @@ namespace StickSlip
                   const NodeLaws             &laws,
                   const SystemState<dim>     &state);
 
-  /** One more sentence for a run that could not go on: which fault is open so
-   * far that a body without mass is about to lose its hold; empty if none is
-   * or if there is mass. */
+  /** One more sentence for a run without mass that could not go on: which fault
+   * is open so far that a body is about to lose its hold; if none is, and there
+   * is no damping, that slip rates can grow. Empty where neither explains it.
+   */
   template <int dim>
   std::string
-  say_what_has_opened(const SceneParameters<dim> &scene,
-                      const FaultNodes<dim>      &faults,
-                      const SystemState<dim>     &state);
+  explain_failure(const SceneParameters<dim> &scene,
+                  const FaultNodes<dim>      &faults,
+                  const SystemState<dim>     &state);
 } // namespace StickSlip
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef stickslip_simulation_run_record_h
 #define stickslip_simulation_run_record_h
 
+#include <stickslip/output/energy_series.h>
 #include <stickslip/output/event_catalogue.h>
 #include <stickslip/output/fault_history.h>
 #include <stickslip/output/opening_catalogue.h>
@@ -18,6 +19,7 @@
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_state.h>
+#include <stickslip/time/energy_balance.h>
 
 namespace StickSlip
 {
@@ -29,7 +31,7 @@ namespace StickSlip
    * the same decisions. All member functions but those that tell something are
    * collective; if a file cannot be written, all processes throw.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class RunRecord
   {
   public:
@@ -40,15 +42,17 @@ namespace StickSlip
      * the faults of that moment.
      */
     RunRecord(const SceneParameters<dim>            &scene,
-              const ContactSpace<dim>               &space,
+              const ContactSpace<dim, n_components> &space,
               const std::vector<FaultSnapshot<dim>> &faults,
               const RecordState                     *earlier = nullptr);
 
-    /** Take in an accepted step; the state at the start has number 0. */
+    /** Take in an accepted step; the state at the start has number 0. @p
+     * energy: account up to this state, null if there is none. */
     void
-    add(const StepRecord                      &step,
-        const SystemState<dim>                &state,
-        const std::vector<FaultSnapshot<dim>> &faults);
+    add(const StepRecord                       &step,
+        const SystemState<dim>                 &state,
+        const std::vector<FaultSnapshot<dim>>  &faults,
+        const EnergyBalance<dim, n_components> *energy);
 
     /** The faults as they were taken in last: with the contact mapping of that
      * step, which another one may have followed. */
@@ -65,16 +69,19 @@ namespace StickSlip
     /** Write the last state, the one added last, and whatever waits, and the
      * summary. To be called however the run ends. */
     void
-    finish(const SystemState<dim> &state, const RunSummary &summary);
+    finish(const SystemState<dim>                 &state,
+           const RunSummary                       &summary,
+           const EnergyBalance<dim, n_components> *energy);
 
   private:
     /** Add the last step to the files asked for; nodal values are gathered
      * first. @p fields: all VTU files. */
     void
-    write(const SystemState<dim> &state,
-          const bool              series,
-          const bool              fault_history,
-          const bool              fields);
+    write(const SystemState<dim>                 &state,
+          const EnergyBalance<dim, n_components> *energy,
+          const bool                              series,
+          const bool                              fault_history,
+          const bool                              fields);
 
     /** Fill in the fields of the last faults that only files have.
      * Collective. */
@@ -113,23 +120,28 @@ namespace StickSlip
             const std::vector<FaultLayout<dim>>   &shapes,
             const RecordState                     *earlier);
 
+      /** Say in columns.csv what is in the tables. */
+      void
+      describe_tables(const std::vector<FaultSnapshot<dim>> &faults) const;
+
       const OutputDirectory directory;
       EventCatalogue<dim>   catalogue;
       PvdRecord             volumes, surfaces;
       Progress              progress;
       /** Files that are asked for, null otherwise. */
       std::unique_ptr<TimeSeries<dim>>   time_series;
+      std::unique_ptr<EnergySeries>      energies;
       std::unique_ptr<FaultHistory<dim>> history;
       /** Openings, if a fault may open, null otherwise. */
       std::unique_ptr<OpeningCatalogue<dim>> openings;
     };
 
-    const SceneParameters<dim> &scene;
-    const ContactSpace<dim>    &space;
-    const MPI_Comm              communicator;
-    std::unique_ptr<Files>      files;
-    OutputCadence               fault_cadence;
-    OutputCadence               volume_cadence;
+    const SceneParameters<dim>            &scene;
+    const ContactSpace<dim, n_components> &space;
+    const MPI_Comm                         communicator;
+    std::unique_ptr<Files>                 files;
+    OutputCadence                          fault_cadence;
+    OutputCadence                          volume_cadence;
 
     /** The last step taken in, and whether it is in the files; of the time
      * series only the process knows that writes. */

@@ -69,7 +69,7 @@ namespace StickSlip
     OpeningState  openings;
     CadenceState  fault_cadence, volume_cadence;
     VolumeEntries volumes, surfaces;
-    FileState     time_series, history;
+    FileState     time_series, energies, history;
 
     /** The last step, and what it is written in already. */
     StepRecord last_step;
@@ -85,7 +85,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &events &openings &fault_cadence &volume_cadence &volumes
-        &surfaces &time_series &history &last_step &last_slip_rate
+        &surfaces &time_series &energies &history &last_step &last_slip_rate
           &in_time_series &in_fault_history &in_fields &n_missed;
     }
   };
@@ -94,7 +94,7 @@ namespace StickSlip
    * Everything that an interrupted run needs to go on. Arrays over the slave
    * nodes are ordered by fault and node of its surface.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   struct RunState
   {
     /** The state reached. */
@@ -115,6 +115,10 @@ namespace StickSlip
      * Pa, see FollowingStress; empty where there is no pressure. */
     std::vector<double> stress_offset;
 
+    /** Shear stress at each slave node that the bodies do not carry, Pa, see
+     * SpatialProblem::set_prestress(); empty where there is none. */
+    std::vector<Tensor<1, dim - 1>> prestress;
+
     StepMemory<dim> steps;
     EnergyAccount   energy;
     RunCounts       counts;
@@ -130,7 +134,7 @@ namespace StickSlip
      * step on this process. Of use on the same number of processes only, and
      * empty after reading on another: results are the same within the
      * tolerances then, and not bit by bit. */
-    std::vector<KeptLinearisation<dim>> linearisations;
+    std::vector<KeptLinearisation<n_components>> linearisations;
 
     /** Call @p action with each nodal vector of a state, in a fixed order. */
     template <typename State, typename Action>
@@ -149,7 +153,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &system &coupled_slip &expected_slip &largest_gaps &stress_offset
-        &steps &energy &counts &record &recorded_faults &restarts;
+        &prestress &steps &energy &counts &record &recorded_faults &restarts;
     }
   };
 } // namespace StickSlip

@@ -20,12 +20,12 @@ namespace StickSlip
    * the same program on the same kind of machine. Throws InputError if the file
    * cannot be written. Collective.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   void
-  write_run_state(const std::string    &file_name,
-                  const RunState<dim>  &state,
-                  const MeshLevel<dim> &level,
-                  const SceneEntries   &entries = {});
+  write_run_state(const std::string                 &file_name,
+                  const RunState<dim, n_components> &state,
+                  const MeshLevel<dim>              &level,
+                  const SceneEntries                &entries = {});
 
   /**
    * The entries of the scene in such a file. Throws InputError if it is not of
@@ -38,8 +38,8 @@ namespace StickSlip
    * Read it again. Throws InputError if the file is not of this kind, if it is
    * damaged or if it belongs to other meshes. Collective.
    */
-  template <int dim>
-  RunState<dim>
+  template <int dim, int n_components = dim>
+  RunState<dim, n_components>
   read_run_state(const std::string &file_name, const MeshLevel<dim> &level);
 } // namespace StickSlip
 

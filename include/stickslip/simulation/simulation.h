@@ -22,7 +22,7 @@ namespace StickSlip
    *
    * Members are declared in the order in which they depend on each other.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class Simulation
   {
   public:
@@ -89,7 +89,7 @@ namespace StickSlip
       return mesh_hierarchy;
     }
 
-    SpatialProblem<dim> &
+    SpatialProblem<dim, n_components> &
     spatial_problem()
     {
       return problem;
@@ -107,8 +107,12 @@ namespace StickSlip
       return laws;
     }
 
+    /** The positions of all slave nodes before any displacement, m. */
+    std::vector<Point<dim>>
+    fault_points() const;
+
     /** Null where the scene asks for none. */
-    const EnergyBalance<dim> *
+    const EnergyBalance<dim, n_components> *
     energy_balance() const
     {
       return energy.get();
@@ -153,25 +157,25 @@ namespace StickSlip
     Timer                      construction_timer;
     mutable TimerOutput        timer;
 
-    MeshHierarchy<dim>  mesh_hierarchy;
-    BoundaryValues<dim> boundary_values;
-    SpatialProblem<dim> problem;
-    NodeLaws            laws;
+    MeshHierarchy<dim>                mesh_hierarchy;
+    BoundaryValues<dim, n_components> boundary_values;
+    SpatialProblem<dim, n_components> problem;
+    NodeLaws                          laws;
     /** Of each slave node, empty where no fault may open. */
     std::vector<NodeOpening> openings;
 
-    RunState<dim> run_state;
+    RunState<dim, n_components> run_state;
 
     /** True if the user has asked for the end of the run; empty before run().
      * Collective. */
     std::function<bool()> must_stop;
 
-    FaultNodes<dim>                          faults;
-    FollowingStress<dim>                     following_stress;
-    std::unique_ptr<RateStateStep<dim>>      rate_state_step;
-    std::unique_ptr<StepSizeController<dim>> step_size_controller;
-    std::unique_ptr<EnergyBalance<dim>>      energy;
-    std::unique_ptr<RunRecord<dim>>          record;
+    FaultNodes<dim>                                        faults;
+    FollowingStress<dim>                                   following_stress;
+    std::unique_ptr<RateStateStep<dim, n_components>>      rate_state_step;
+    std::unique_ptr<StepSizeController<dim, n_components>> step_size_controller;
+    std::unique_ptr<EnergyBalance<dim, n_components>>      energy;
+    std::unique_ptr<RunRecord<dim, n_components>>          record;
   };
 } // namespace StickSlip
 

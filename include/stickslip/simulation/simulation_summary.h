@@ -20,16 +20,16 @@ namespace StickSlip
    * if the faults are not coupled. @p energy: null where the scene asks for
    * none; @p construction: time for meshes and matrices, s. Collective.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   RunSummary
-  summarise_simulation(const std::string          &ending,
-                       const SceneParameters<dim> &scene,
-                       const SpatialProblem<dim>  &problem,
-                       const RunState<dim>        &state,
-                       const EnergyBalance<dim>   *energy,
-                       const TimerOutput          &timer,
-                       const double                construction,
-                       const MPI_Comm              communicator);
+  summarise_simulation(const std::string                       &ending,
+                       const SceneParameters<dim>              &scene,
+                       const SpatialProblem<dim, n_components> &problem,
+                       const RunState<dim, n_components>       &state,
+                       const EnergyBalance<dim, n_components>  *energy,
+                       const TimerOutput                       &timer,
+                       const double                             construction,
+                       const MPI_Comm                           communicator);
 } // namespace StickSlip
 
 #endif

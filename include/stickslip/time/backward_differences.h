@@ -23,8 +23,8 @@ namespace StickSlip
    * its displacements. The trapezoidal rule would let that velocity swing about
    * its mean from step to step, for ever.
    */
-  template <int dim>
-  class BackwardDifferences : public TimeScheme<dim>
+  template <int dim, int n_components = dim>
+  class BackwardDifferences : public TimeScheme<dim, n_components>
   {
   public:
     void

@@ -27,8 +27,8 @@ namespace StickSlip
    * they come from displacement, velocity and friction. The acceleration of the
    * result is the mean over the step, and for output only.
    */
-  template <int dim>
-  class ContactImplicit : public Newmark<dim>
+  template <int dim, int n_components = dim>
+  class ContactImplicit : public Newmark<dim, n_components>
   {
   public:
     /** All must live longer. */
@@ -38,9 +38,9 @@ namespace StickSlip
     {}
 
     NodalVector
-    right_hand_side(SpatialProblem<dim>    &problem,
-                    const SystemState<dim> &from,
-                    const double            tau) const override;
+    right_hand_side(SpatialProblem<dim, n_components> &problem,
+                    const SystemState<dim>            &from,
+                    const double                       tau) const override;
 
     void
     complete(SystemState<dim>       &to,
@@ -48,13 +48,13 @@ namespace StickSlip
              const double            tau) const override;
 
     void
-    set_end_force(SystemState<dim>       &to,
-                  const SystemState<dim> &from,
-                  const double            tau,
-                  SpatialProblem<dim>    &problem,
-                  const NodalVector      &w,
-                  const NodalVector      &w_stopped,
-                  const NodalVector      &reaction) const override;
+    set_end_force(SystemState<dim>                  &to,
+                  const SystemState<dim>            &from,
+                  const double                       tau,
+                  SpatialProblem<dim, n_components> &problem,
+                  const NodalVector                 &w,
+                  const NodalVector                 &w_stopped,
+                  const NodalVector                 &reaction) const override;
 
     /** The forces of a rate problem are the sum of those at both ends. */
     GapPath
@@ -76,8 +76,8 @@ namespace StickSlip
   private:
     /** G0. */
     NodalVector
-    start_force(SpatialProblem<dim>    &problem,
-                const SystemState<dim> &from) const;
+    start_force(SpatialProblem<dim, n_components> &problem,
+                const SystemState<dim>            &from) const;
 
     const FaultNodes<dim> &faults;
     const NodeLaws        &laws;

@@ -13,11 +13,11 @@ namespace StickSlip
    * step. The next size is 0.8 (tolerance / error)^(1/3) times the last,
    * between a fifth and twice, and does not grow right after a rejection.
    */
-  template <int dim>
-  class EmbeddedControl : public StepSizeController<dim>
+  template <int dim, int n_components = dim>
+  class EmbeddedControl : public StepSizeController<dim, n_components>
   {
   public:
-    using StepSizeController<dim>::StepSizeController;
+    using StepSizeController<dim, n_components>::StepSizeController;
 
   protected:
     std::vector<StepResult<dim>>

@@ -85,15 +85,15 @@ namespace StickSlip
    * of time stepping and solver as the energy sees it, of second order in the
    * step size.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class EnergyBalance
   {
   public:
     /** Powers with one contact mapping. All must live longer. */
-    EnergyBalance(SpatialProblem<dim>   &problem,
-                  const FaultNodes<dim> &faults,
-                  const NodeLaws        &laws,
-                  EnergyAccount         &account)
+    EnergyBalance(SpatialProblem<dim, n_components> &problem,
+                  const FaultNodes<dim>             &faults,
+                  const NodeLaws                    &laws,
+                  EnergyAccount                     &account)
       : problem(problem)
       , faults(faults)
       , laws(laws)
@@ -125,15 +125,17 @@ namespace StickSlip
     double
     kinetic_energy(const SystemState<dim> &state) const
     {
-      return problem.has(SpatialProblem<dim>::mass) ?
-               quadratic_form(SpatialProblem<dim>::mass, state.velocity) :
+      return problem.has(SpatialProblem<dim, n_components>::mass) ?
+               quadratic_form(SpatialProblem<dim, n_components>::mass,
+                              state.velocity) :
                0.;
     }
 
     double
     elastic_energy(const SystemState<dim> &state) const
     {
-      return quadratic_form(SpatialProblem<dim>::stiffness, state.displacement);
+      return quadratic_form(SpatialProblem<dim, n_components>::stiffness,
+                            state.displacement);
     }
 
     /** The change of kinetic and elastic energy since the start that is not
@@ -141,8 +143,14 @@ namespace StickSlip
     double
     defect(const SystemState<dim> &state) const
     {
-      return kinetic_energy(state) + elastic_energy(state) -
-             account.initial_energy - account.work.gain();
+      return missing(kinetic_energy(state) + elastic_energy(state));
+    }
+
+    /** Defect where the sum of kinetic and elastic energy is known. */
+    double
+    missing(const double energy) const
+    {
+      return energy - account.initial_energy - account.work.gain();
     }
 
   private:
@@ -152,13 +160,13 @@ namespace StickSlip
 
     /** 1/2 x . A x of nodal values and a term of the problem. */
     double
-    quadratic_form(const typename SpatialProblem<dim>::Term term,
-                   const NodalVector                       &x) const;
+    quadratic_form(const typename SpatialProblem<dim, n_components>::Term term,
+                   const NodalVector &x) const;
 
-    SpatialProblem<dim>   &problem;
-    const FaultNodes<dim> &faults;
-    const NodeLaws        &laws;
-    EnergyAccount         &account;
+    SpatialProblem<dim, n_components> &problem;
+    const FaultNodes<dim>             &faults;
+    const NodeLaws                    &laws;
+    EnergyAccount                     &account;
   };
 } // namespace StickSlip
 

@@ -23,12 +23,12 @@ namespace StickSlip
    * iterations at most. Nothing happens where all these jumps are zero. Throws
    * SolverControl::NoConvergence. Collective.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   double
-  stop_impacts(const SpatialProblem<dim> &problem,
-               const FaultNodes<dim>     &faults,
-               const std::vector<bool>   &touching,
-               NodalVector               &w);
+  stop_impacts(const SpatialProblem<dim, n_components> &problem,
+               const FaultNodes<dim>                   &faults,
+               const std::vector<bool>                 &touching,
+               NodalVector                             &w);
 } // namespace StickSlip
 
 #endif

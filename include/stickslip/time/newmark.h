@@ -16,8 +16,8 @@ namespace StickSlip
    * Second order, without numerical damping (Newmark 1959; Hairer, Lubich and
    * Wanner 2006).
    */
-  template <int dim>
-  class Newmark : public TimeScheme<dim>
+  template <int dim, int n_components = dim>
+  class Newmark : public TimeScheme<dim, n_components>
   {
   public:
     void

@@ -7,6 +7,7 @@
 #include <stickslip/faults/fault_functional.h>
 #include <stickslip/faults/following_stress.h>
 #include <stickslip/problem/unilateral_contact.h>
+#include <stickslip/time/stress_iteration.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/time/time_scheme.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
@@ -38,19 +39,19 @@ namespace StickSlip
    * A step is a new value: nothing changes that another step depends on. A
    * step that does not converge is reported, not used.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class RateStateStep
   {
   public:
     /** Steps with one contact mapping; the next one needs a new object. All but
      * @p following and @p contact must live longer. */
-    RateStateStep(SpatialProblem<dim>          &problem,
-                  const FaultNodes<dim>        &faults,
-                  const NodeLaws               &laws,
-                  const TimeParameters         &time_parameters,
-                  const TNNMGParameters        &tnnmg_parameters,
-                  const FollowingStress<dim>   &following = {},
-                  const UnilateralContact<dim> &contact   = {});
+    RateStateStep(SpatialProblem<dim, n_components> &problem,
+                  const FaultNodes<dim>             &faults,
+                  const NodeLaws                    &laws,
+                  const TimeParameters              &time_parameters,
+                  const TNNMGParameters             &tnnmg_parameters,
+                  const FollowingStress<dim>        &following = {},
+                  const UnilateralContact<dim>      &contact   = {});
 
     /** A step of size @p tau from @p from, begun at @p prediction, if any. */
     StepResult<dim>
@@ -60,7 +61,7 @@ namespace StickSlip
 
     /** Linearisations that the solver of the rate problem keeps from step to
      * step. */
-    std::vector<KeptLinearisation<dim>>
+    std::vector<KeptLinearisation<n_components>>
     kept_linearisations() const
     {
       return solver->kept_linearisations();
@@ -68,7 +69,7 @@ namespace StickSlip
 
     /** Take them over from another object for the same problem. Collective. */
     void
-    recall(const std::vector<KeptLinearisation<dim>> &kept);
+    recall(const std::vector<KeptLinearisation<n_components>> &kept);
 
     const FaultNodes<dim> &
     faults() const
@@ -82,7 +83,7 @@ namespace StickSlip
       return node_laws;
     }
 
-    const TimeScheme<dim> &
+    const TimeScheme<dim, n_components> &
     scheme() const
     {
       return *time_scheme;
@@ -143,14 +144,21 @@ namespace StickSlip
                  const ContactOfStep    &contact) const;
 
     /** Let contact pressure and normal stress of @p to follow, if they do;
-     * returns the relative change of the latter in L2(faults). */
+     * returns the relative change of the latter in L2(faults). @p stress: what
+     * the iteration has seen of it. */
     double
     follow_pressure(SystemState<dim>       &to,
                     const SystemState<dim> &from,
                     const double            tau,
                     const NodalVector      &rhs,
                     NodalVector            &w,
-                    const ContactOfStep    &contact);
+                    const ContactOfStep    &contact,
+                    StressIteration        &stress);
+
+    /** Changes of the contact pressure of a solution that rounding may make at
+     * each slave node, Pa: its terms are large in short steps, and cancel. */
+    std::vector<double>
+    pressure_rounding(const NodalVector &w, const ContactOfStep &contact) const;
 
     /** The contact pressure at the end of the step from that of its rate
      * problem, Pa; @p touching: nodes that may open and touch there. */
@@ -160,11 +168,12 @@ namespace StickSlip
                  const double             tau,
                  const std::vector<bool> &touching) const;
 
-    /** True if rate and state have settled. Throws StepFailure if they never
-     * will. */
+    /** True if rate, state and normal stress have settled, of which the latter
+     * two have changed by that much. Throws StepFailure if they never will. */
     bool
     have_settled(const SolveSummary &rate,
-                 const double        change,
+                 const double        of_state,
+                 const double        of_stress,
                  const unsigned int  n_iterations) const;
 
     /** Everything of @p to that follows from the solution. Throws StepFailure
@@ -204,17 +213,17 @@ namespace StickSlip
       return time_parameters.rate_state_method == RateStateMethod::nested;
     }
 
-    SpatialProblem<dim>                   &problem;
-    const FaultNodes<dim>                 &fault_nodes;
-    const NodeLaws                        &node_laws;
-    const TimeParameters                  &time_parameters;
-    const TNNMGParameters                 &tnnmg_parameters;
-    const FollowingStress<dim>             following;
-    const UnilateralContact<dim>           unilateral;
-    const std::unique_ptr<TimeScheme<dim>> time_scheme;
+    SpatialProblem<dim, n_components>                   &problem;
+    const FaultNodes<dim>                               &fault_nodes;
+    const NodeLaws                                      &node_laws;
+    const TimeParameters                                &time_parameters;
+    const TNNMGParameters                               &tnnmg_parameters;
+    const FollowingStress<dim>                           following;
+    const UnilateralContact<dim>                         unilateral;
+    const std::unique_ptr<TimeScheme<dim, n_components>> time_scheme;
     /** Instruments of the iteration: of no meaning between steps. */
-    std::unique_ptr<FaultFriction<dim>>   friction;
-    std::unique_ptr<NonsmoothSolver<dim>> solver;
+    std::unique_ptr<FaultFriction<n_components>>   friction;
+    std::unique_ptr<NonsmoothSolver<n_components>> solver;
   };
 } // namespace StickSlip
 

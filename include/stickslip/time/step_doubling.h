@@ -22,11 +22,11 @@ namespace StickSlip
    * the line through the last two states, those for the small ones from the
    * line to the large one's result.
    */
-  template <int dim>
-  class StepDoubling : public StepSizeController<dim>
+  template <int dim, int n_components = dim>
+  class StepDoubling : public StepSizeController<dim, n_components>
   {
   public:
-    using StepSizeController<dim>::StepSizeController;
+    using StepSizeController<dim, n_components>::StepSizeController;
 
   protected:
     std::vector<StepResult<dim>>

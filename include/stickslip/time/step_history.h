@@ -38,15 +38,15 @@ namespace StickSlip
    * - where a node slips steadily, an error of the slip rate is soon taken away
    *   by friction.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class StepHistory
   {
   public:
     /** @p records: the newest first, three at most. All must live longer. */
-    StepHistory(const FaultNodes<dim>       &faults,
-                const NodeLaws              &laws,
-                const TimeScheme<dim>       &scheme,
-                std::vector<PastState<dim>> &records)
+    StepHistory(const FaultNodes<dim>               &faults,
+                const NodeLaws                      &laws,
+                const TimeScheme<dim, n_components> &scheme,
+                std::vector<PastState<dim>>         &records)
       : faults(faults)
       , laws(laws)
       , scheme(scheme)
@@ -88,10 +88,10 @@ namespace StickSlip
     std::vector<double>
     state_errors(const PastState<dim> &now) const;
 
-    const FaultNodes<dim>       &faults;
-    const NodeLaws              &laws;
-    const TimeScheme<dim>       &scheme;
-    std::vector<PastState<dim>> &records;
+    const FaultNodes<dim>               &faults;
+    const NodeLaws                      &laws;
+    const TimeScheme<dim, n_components> &scheme;
+    std::vector<PastState<dim>>         &records;
   };
 } // namespace StickSlip
 

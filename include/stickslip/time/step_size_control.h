@@ -36,14 +36,14 @@ namespace StickSlip
    * The sizes used are largest_step 2^-k, but for the last step to the end
    * time, so that few different operators occur.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class StepSizeController
   {
   public:
     /** All must live longer. */
-    StepSizeController(RateStateStep<dim>   &step,
-                       const TimeParameters &parameters,
-                       BoundaryValues<dim>  &loads)
+    StepSizeController(RateStateStep<dim, n_components>  &step,
+                       const TimeParameters              &parameters,
+                       BoundaryValues<dim, n_components> &loads)
       : step(step)
       , parameters(parameters)
       , loads(loads)
@@ -98,7 +98,7 @@ namespace StickSlip
 
     /** The history in @p memory, which begins with @p state if there is none.
      */
-    StepHistory<dim>
+    StepHistory<dim, n_components>
     history(StepMemory<dim> &memory, const SystemState<dim> &state) const;
 
     /** The largest size of the form largest_step 2^-k up to @p tau. */
@@ -109,22 +109,22 @@ namespace StickSlip
     double
     limit(StepMemory<dim> &memory, const double time, const double tau) const;
 
-    RateStateStep<dim>   &step;
-    const TimeParameters &parameters;
+    RateStateStep<dim, n_components> &step;
+    const TimeParameters             &parameters;
 
   private:
-    BoundaryValues<dim>  &loads;
-    std::function<bool()> must_stop;
+    BoundaryValues<dim, n_components> &loads;
+    std::function<bool()>              must_stop;
   };
 
   /**
    * The controller that the parameters ask for.
    */
-  template <int dim>
-  std::unique_ptr<StepSizeController<dim>>
-  make_step_size_controller(RateStateStep<dim>   &step,
-                            const TimeParameters &parameters,
-                            BoundaryValues<dim>  &loads);
+  template <int dim, int n_components = dim>
+  std::unique_ptr<StepSizeController<dim, n_components>>
+  make_step_size_controller(RateStateStep<dim, n_components>  &step,
+                            const TimeParameters              &parameters,
+                            BoundaryValues<dim, n_components> &loads);
 } // namespace StickSlip
 
 #endif

@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <stickslip/friction/state_evolution.h>
+#include <stickslip/parameters/automatic_number.h>
 
 namespace StickSlip
 {
@@ -73,19 +74,19 @@ namespace StickSlip
 
     /** Tolerance of the embedded control, the largest
      * StepHistory::estimate_error() of a step, m^((d-1)/2). */
-    double tolerance = 3e-6;
+    AutomaticNumber tolerance = 3e-6;
 
     /** Energy that contacts may take in a step, over the kinetic energy. */
     double impact_tolerance = 1e-3;
 
     /** Threshold of the step doubling control: largest L2(faults) norm of the
      * difference of ln theta between one step and two, m^((d-1)/2). */
-    double doubling_threshold = 1e-5;
+    AutomaticNumber doubling_threshold = 1e-5;
 
     /** Step sizes, s. The step sizes used are largest_step 2^-k. */
-    double initial_step  = 1e-3;
-    double smallest_step = 1e-9;
-    double largest_step  = 0.5;
+    double          initial_step  = 1e-3;
+    double          smallest_step = 1e-9;
+    AutomaticNumber largest_step  = 0.5;
 
     /**
      * No step is longer than this fraction of the longest loading ramp while
@@ -106,7 +107,7 @@ namespace StickSlip
 
     /** The rate-state iteration ends when the state, L2(fault), changes less.
      */
-    double rate_state_tolerance = 1e-6;
+    AutomaticNumber rate_state_tolerance = 1e-6;
 
     /** More iterations than this reject the step. */
     unsigned int max_rate_state_iterations = 100;

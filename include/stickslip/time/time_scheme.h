@@ -28,7 +28,7 @@ namespace StickSlip
    *
    *   (c_M M + C + c_K K) v1 + friction(v1) = f1 + M a* - K u*.
    */
-  template <int dim>
+  template <int dim, int n_components = dim>
   class TimeScheme
   {
   public:
@@ -42,9 +42,9 @@ namespace StickSlip
     /** The right hand side f1 + M a* - K u*, a dual vector of the jump basis.
      * Collective. */
     virtual NodalVector
-    right_hand_side(SpatialProblem<dim>    &problem,
-                    const SystemState<dim> &from,
-                    const double            tau) const;
+    right_hand_side(SpatialProblem<dim, n_components> &problem,
+                    const SystemState<dim>            &from,
+                    const double                       tau) const;
 
     /** The gap at the end of a step, for faults that may open; @p last as
      * above. */
@@ -79,7 +79,7 @@ namespace StickSlip
     set_end_force(SystemState<dim> &,
                   const SystemState<dim> &,
                   const double,
-                  SpatialProblem<dim> &,
+                  SpatialProblem<dim, n_components> &,
                   const NodalVector &,
                   const NodalVector &,
                   const NodalVector &) const

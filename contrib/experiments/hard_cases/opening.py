@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the stickslip authors
+"""Hard cases of faults that open and close."""
+
+from .scene import CONDENSED, Case, bodies
+
+GRAVITY = 9.81
+
+
+def opening(end_time, fault=None, overrides=None, upper=None):
+    """Two bodies on a fault that may open; the lower one is held at its bottom, and
+    the `upper` side of the upper one as its entries say."""
+    scene = bodies(["lower", "upper"], {"Refinement passes": "2"},
+                   {"Contact": "unilateral"} | (fault or {}))
+    scene = {
+        key: value for key, value in scene.items()
+        if not key.startswith("Boundary conditions/upper")
+    }
+    sides = ["lower bottom"]
+    for side, entries in (upper or {}).items():
+        sides.append(f"upper {side}")
+        for entry, value in entries.items():
+            scene[f"Boundary conditions/upper {side}/{entry}"] = value
+    return scene | {
+        "Boundary conditions/Sides": ", ".join(sides),
+        "Time/End time": f"{end_time:g}",
+        "Output/Energy balance": "true",
+        "Output/Event start slip rate": "1",
+        # Bounces amplify what the iterations leave.
+        "TNNMG/Tolerance": "1e-12",
+        "Time/Rate-state tolerance": "1e-9",
+    } | (overrides or {})
+
+
+def impact():
+    """The upper body falls, in a stronger field of gravity for the larger speed, and
+    is still in contact at the end. Nothing but the impact tells the control of the
+    steps that waves follow."""
+    for speed, gravity in ((1, GRAVITY), (100, 100 * GRAVITY)):
+        height = speed**2 / (2 * gravity)
+        yield Case(
+            "opening",
+            f"impact at {speed} m/s",
+            opening(
+                speed / gravity + 0.008,
+                {"Initial gap": f"{height:g} + 1e-3 * x"},
+                {"Gravity/Acceleration": f"{gravity:g}", "Time/Largest step": "5e-4",
+                 "Time/Initial step": "5e-4"},
+            ),
+            CONDENSED,
+        )
+
+
+def chattering():
+    yield Case(
+        "opening",
+        "chattering, the floor shaken with three times gravity",
+        opening(
+            0.4,
+            overrides={
+                "Boundary conditions/lower bottom/y condition": "velocity",
+                "Boundary conditions/lower bottom/y value": "0.3 * sin(100 * t)",
+                "Boundary conditions/lower bottom/Ramp length": "0.05",
+            },
+        ),
+        CONDENSED,
+    )
+
+
+def bonds():
+    for inertia in ("dynamic", "quasi-dynamic"):
+        yield Case(
+            "opening",
+            f"bonds that break in a row, {inertia}",
+            opening(
+                1,
+                {"Tensile strength": "2e4"},
+                {"Time/Inertia": inertia},
+                {"right": {"y condition": "velocity", "y value": "0.01",
+                           "Ramp length": "0.2"}},
+            ),
+            CONDENSED,
+            timeout=900,
+        )
+
+
+def tip():
+    for inertia in ("dynamic", "quasi-dynamic"):
+        yield Case(
+            "opening",
+            f"opening at a tip, {inertia}",
+            opening(
+                1,
+                {
+                    "Contact": "bilateral",
+                    "Friction": "welded",
+                    "Regions/Names": "crack",
+                    "Regions/crack/Where": "abs(x) < 1",
+                    "Regions/crack/Friction": "rate and state",
+                    "Regions/crack/Contact": "unilateral",
+                },
+                {"Time/Inertia": inertia},
+                {"top": {"y condition": "traction",
+                         "y value": "2e5 * sin(2 * pi * t)", "Ramp length": "0.2"}},
+            ),
+            CONDENSED,
+        )
+
+
+def everywhere():
+    yield Case(
+        "opening",
+        "everywhere at once, pulled with twice the weight",
+        opening(
+            0.05,
+            upper={"top": {"y condition": "traction", "y value": "1e5",
+                           "Ramp length": "0"}},
+        ),
+        CONDENSED,
+    )
+    yield Case(
+        "opening",
+        "everywhere, without mass and hold",
+        opening(
+            1,
+            overrides={"Time/Inertia": "quasi-static"},
+            upper={"top": {"y condition": "traction", "y value": "1e5"}},
+        ),
+        refused="% of its area",
+    )
+
+
+def cases():
+    for group in (impact, chattering, bonds, tip, everywhere):
+        yield from group()

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/base/magnitude.h>
+#include <stickslip/parameters/number_range.h>
+#include <stickslip/simulation/initial_balance.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    /** Slip rate, m/s, faster than what any scene begins with. */
+    constexpr double fast = 1.;
+
+
+
+    template <int dim>
+    bool
+    is_pressed(const FaultNodes<dim>  &faults,
+               const NodeLaws         &laws,
+               const SystemState<dim> &state,
+               const unsigned int      k)
+    {
+      return faults.in_contact(k) && !laws[k].is_prescribed &&
+             state.normal_stress[k] > 0. &&
+             magnitude(state.slip_rate[k]) == 0. &&
+             (state.is_bonded.empty() || !state.is_bonded[k]) &&
+             k < state.balancing_traction.size();
+    }
+
+
+
+    double
+    coefficient(const FaultLaw &law, const double alpha, const double V)
+    {
+      return law.friction->coefficient(V, law.friction->node_data(alpha));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  InitialBalance
+  initial_balance(const FaultNodes<dim>  &faults,
+                  const NodeLaws         &laws,
+                  const SystemState<dim> &state,
+                  const unsigned int      fault)
+  {
+    InitialBalance balance;
+    for (unsigned int k = faults.first_of_fault()[fault];
+         k < faults.first_of_fault()[fault + 1];
+         ++k)
+      {
+        if (!is_pressed(faults, laws, state, k))
+          continue;
+        const double ratio =
+          magnitude(state.balancing_traction[k]) / state.normal_stress[k];
+        if (!balance.is_known || ratio > balance.greatest)
+          {
+            balance.greatest = ratio;
+            balance.node     = k;
+          }
+        balance.least =
+          balance.is_known ? std::min(balance.least, ratio) : ratio;
+        balance.is_known = true;
+      }
+    return balance;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  what_friction_does_not_hold(const SceneParameters<dim>    &scene,
+                              const FaultNodes<dim>         &faults,
+                              const std::vector<Point<dim>> &points,
+                              const NodeLaws                &laws,
+                              const SystemState<dim>        &state)
+  {
+    std::vector<std::string> sentences;
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+      {
+        const InitialBalance balance = initial_balance(faults, laws, state, f);
+        if (!balance.is_known)
+          continue;
+        std::ostringstream text;
+        text.precision(3);
+        const auto place = [&](const unsigned int k) {
+          text << " at (";
+          for (unsigned int d = 0; d < dim; ++d)
+            text << (d == 0 ? "" : ", ") << points[k][d];
+          text << ") m";
+        };
+        const unsigned int k     = balance.node;
+        const FaultLaw    &law   = laws[k];
+        const double       alpha = state.alpha.empty() ? 0. : state.alpha[k];
+        if (balance.greatest > coefficient(law, alpha, fast))
+          {
+            text << "'" << scene.faults[f].section()
+                 << "': at the start the shear stress is up to "
+                 << balance.greatest << " of the normal stress,";
+            place(k);
+            text << ", which friction does not hold at slip rates of up to "
+                 << fast
+                 << " m/s, so that the first steps may fail: stresses, "
+                    "friction or 'Initial state' are hardly meant so.";
+            sentences.push_back(text.str());
+            continue;
+          }
+        for (unsigned int n = faults.first_of_fault()[f];
+             n < faults.first_of_fault()[f + 1];
+             ++n)
+          if (is_pressed(faults, laws, state, n) &&
+              laws[n].friction->rate_scale() > 0. &&
+              coefficient(laws[n],
+                          state.alpha.empty() ? 0. : state.alpha[n],
+                          fast) <= 0.)
+            {
+              text << "'" << scene.faults[f].section()
+                   << "/Initial state': leaves no friction at slip rates of up "
+                      "to "
+                   << fast << " m/s,";
+              place(n);
+              text << ", so that the first steps may fail.";
+              sentences.push_back(text.str());
+              break;
+            }
+      }
+    return sentences;
+  }
+
+
+
+  template decltype(initial_balance<2>) initial_balance<2>;
+  template decltype(initial_balance<3>) initial_balance<3>;
+  template decltype(what_friction_does_not_hold<2>)
+    what_friction_does_not_hold<2>;
+  template decltype(what_friction_does_not_hold<3>)
+    what_friction_does_not_hold<3>;
+} // namespace StickSlip

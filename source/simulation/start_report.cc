@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <stickslip/base/agreed_failure.h>
+#include <stickslip/base/agreement.h>
+#include <stickslip/base/input_error.h>
+#include <stickslip/friction/common_parameters.h>
+#include <stickslip/friction/instability.h>
+#include <stickslip/parameters/name_list.h>
+#include <stickslip/problem/fault_stiffness.h>
+#include <stickslip/scene/mesh_estimate.h>
+#include <stickslip/scene/scene_warnings.h>
+#include <stickslip/simulation/initial_balance.h>
+#include <stickslip/simulation/simulation.h>
+#include <stickslip/simulation/start_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <sstream>
+
+namespace StickSlip
+{
+  namespace
+  {
+    // Unknowns of the coarser scene: as many as this where refinement allows
+    // it, and never more than the latter.
+    constexpr double wanted_unknowns = 2000., most_unknowns = 20000.;
+
+
+
+    /** A number in three digits. */
+    std::string
+    figure(const double x)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << x;
+      return text.str();
+    }
+
+
+
+    /** The scene with as little refinement as leaves the wanted number of
+     * unknowns; null if there are too many without any. */
+    template <int dim>
+    std::unique_ptr<SceneParameters<dim>>
+    coarser_scene(const SceneParameters<dim> &scene)
+    {
+      auto coarser = std::make_unique<SceneParameters<dim>>(scene);
+      coarser->coarser_meshes.clear();
+      const auto is_large_enough = [&](const double unknowns) {
+        return estimate_meshes(*coarser).unknowns(scene.n_components()) >=
+               unknowns;
+      };
+      for (BodyParameters<dim> &body : coarser->bodies)
+        body.geometry.uniform_refinements = body.geometry.refinement_passes = 0;
+      bool can_grow = true;
+      while (can_grow && !is_large_enough(wanted_unknowns))
+        {
+          can_grow = false;
+          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+            {
+              BodyGeometry<dim>       &geometry = coarser->bodies[b].geometry;
+              const BodyGeometry<dim> &full     = scene.bodies[b].geometry;
+              if (geometry.uniform_refinements < full.uniform_refinements)
+                ++geometry.uniform_refinements;
+              else if (geometry.refinement_passes < full.refinement_passes)
+                ++geometry.refinement_passes;
+              else
+                continue;
+              can_grow = true;
+            }
+        }
+      return is_large_enough(most_unknowns) ? nullptr : std::move(coarser);
+    }
+
+
+
+    /** G* of a fault at some points, Pa: that of both bodies is their harmonic
+     * mean; a rigid one does not count. */
+    template <int dim>
+    std::vector<double>
+    shear_moduli(const SceneParameters<dim>    &scene,
+                 const unsigned int             fault,
+                 const std::vector<Point<dim>> &points)
+    {
+      std::vector<double>       compliance(points.size(), 0.);
+      std::vector<unsigned int> n_sides(points.size(), 0);
+      for (const std::vector<BodySide> &side :
+           scene.topology.faults()[fault].sides)
+        for (const BodySide &part : side)
+          {
+            const BodyParameters<dim> &body = scene.bodies[part.body];
+            if (body.geometry.rigid)
+              continue;
+            const auto material = body.material.template function<dim>();
+            for (unsigned int k = 0; k < points.size(); ++k)
+              if (scene.nearest_body(side, points[k]) == part.body)
+                {
+                  const Material values =
+                    material(scene.within_body(part.body, points[k]));
+                  compliance[k] +=
+                    (scene.deformation == Deformation::plane_strain &&
+                         dim == 2 ?
+                       1. - values.poissons_ratio :
+                       1.) /
+                    values.shear_modulus();
+                  ++n_sides[k];
+                }
+          }
+      for (unsigned int k = 0; k < points.size(); ++k)
+        compliance[k] = n_sides[k] / compliance[k];
+      return compliance;
+    }
+
+
+
+    /** Abilities of the part of a fault with b > a. */
+    struct Weakening
+    {
+      /** One entry for each slave node of all faults. */
+      std::vector<bool> nodes;
+
+      /** Mean over its area, Pa/m, and what the bodies have against its slip,
+       * Pa/m. */
+      double critical_stiffness = 0., stiffness = 0.;
+
+      /** The least ones of all nodes, m. */
+      double nucleation_length = std::numeric_limits<double>::infinity(),
+             process_zone      = std::numeric_limits<double>::infinity();
+
+      bool
+      is_there() const
+      {
+        return std::isfinite(process_zone);
+      }
+
+      double
+      stiffness_ratio() const
+      {
+        return stiffness / critical_stiffness;
+      }
+    };
+
+
+
+    template <int dim, int n_components>
+    Weakening
+    find_weakening(const SceneParameters<dim>    &scene,
+                   Simulation<dim, n_components> &simulation,
+                   const unsigned int             f)
+    {
+      const FaultNodes<dim>         &faults = simulation.fault_nodes();
+      const unsigned int             first  = faults.first_of_fault()[f];
+      const std::vector<Point<dim>> &points = simulation.spatial_problem()
+                                                .jump_basis()
+                                                .faults()[f]
+                                                .slave_surface.points;
+      const std::vector<double> moduli = shear_moduli(scene, f, points);
+      const std::string         a = CommonParameters::direct_effect().entry,
+                        L = CommonParameters::characteristic_slip().entry,
+                        b = "b";
+      Weakening weakening;
+      weakening.nodes.resize(faults.size(), false);
+      double area = 0.;
+      for (const FaultPart &part : scene.faults[f].parts(points))
+        {
+          const auto &parameters = part.friction->kind().parameters;
+          if (!part.friction->has_state() ||
+              std::none_of(parameters.begin(),
+                           parameters.end(),
+                           [&b](const LawParameter &parameter) {
+                             return parameter.entry == b;
+                           }))
+            continue;
+          const std::vector<Point<dim>> of_part = part.select(points);
+          const auto                    values = [&](const std::string &entry) {
+            return (*part.friction)[entry].values(of_part, part.section);
+          };
+          const std::vector<double> all_a = values(a), all_b = values(b),
+                                    all_L = values(L);
+          for (unsigned int i = 0; i < of_part.size(); ++i)
+            {
+              const unsigned int      k = first + part.positions[i];
+              const WeakeningFriction friction{
+                all_a[i],
+                all_b[i],
+                simulation.state().normal_stress[k],
+                all_L[i]};
+              if (!(friction.b > friction.a) || !faults.in_contact(k) ||
+                  friction.normal_stress == 0.)
+                continue;
+              weakening.nodes[k]   = true;
+              const double weight  = faults.weights()[k],
+                           modulus = moduli[part.positions[i]];
+              area += weight;
+              weakening.critical_stiffness +=
+                weight * critical_stiffness(friction);
+              weakening.nucleation_length =
+                std::min(weakening.nucleation_length,
+                         nucleation_length(friction, modulus, dim));
+              weakening.process_zone =
+                std::min(weakening.process_zone,
+                         process_zone(friction, modulus));
+            }
+        }
+      if (weakening.is_there())
+        {
+          weakening.critical_stiffness /= area;
+          weakening.stiffness = slip_stiffness(simulation.spatial_problem(),
+                                               faults,
+                                               weakening.nodes);
+        }
+      return weakening;
+    }
+
+
+
+    /** Lines and warnings on the faults, from a coarser mesh. */
+    class FaultOutlook
+    {
+    public:
+      template <int dim, int n_components>
+      FaultOutlook(const SceneParameters<dim>    &coarser,
+                   Simulation<dim, n_components> &simulation)
+      {
+        simulation.set_up();
+        const FaultNodes<dim> &faults = simulation.fault_nodes();
+        warnings                      = what_friction_does_not_hold(coarser,
+                                               faults,
+                                               simulation.fault_points(),
+                                               simulation.node_laws(),
+                                               simulation.state());
+        for (unsigned int f = 0; f < coarser.faults.size(); ++f)
+          {
+            balances.push_back(initial_balance(
+              faults, simulation.node_laws(), simulation.state(), f));
+            weakenings.push_back(find_weakening(coarser, simulation, f));
+          }
+      }
+
+      /** Facts about a fault whose finest faces have this size, m. */
+      std::string
+      line(const unsigned int f, const double face) const
+      {
+        std::string      text;
+        const Weakening &weakening = weakenings[f];
+        if (weakening.is_there())
+          text += "; where b > a, stiffness " +
+                  figure(weakening.stiffness_ratio()) +
+                  " of the critical one, nucleation length " +
+                  figure(weakening.nucleation_length) +
+                  " m = " + figure(weakening.nucleation_length / face) +
+                  " faces, process zone " + figure(weakening.process_zone) +
+                  " m = " + figure(weakening.process_zone / face) + " faces";
+        if (balances[f].is_known)
+          text += "; shear over normal stress at the start " +
+                  figure(balances[f].least) + " to " +
+                  figure(balances[f].greatest);
+        return text;
+      }
+
+      void
+      warn(const FaultParameters    &fault,
+           const unsigned int        f,
+           const double              face,
+           std::vector<std::string> &all) const
+      {
+        const Weakening &weakening = weakenings[f];
+        if (!weakening.is_there())
+          return;
+        if (weakening.stiffness_ratio() > 1.)
+          all.push_back(
+            "'" + fault.section() +
+            "': cannot slip unstably by itself though b > a, since the stiffness "
+            "of the bodies, " +
+            figure(weakening.stiffness) +
+            " Pa/m, is above the critical one, (b - a) sigma/L = " +
+            figure(weakening.critical_stiffness) + " Pa/m.");
+        else if (weakening.process_zone < least_cells_in_process_zone * face)
+          all.push_back(
+            "'" + fault.section() +
+            "': ruptures are not resolved, since their process zone, " +
+            figure(weakening.process_zone) + " m, has " +
+            figure(weakening.process_zone / face) +
+            " faces of the fault, and should have three or more.");
+      }
+
+      std::vector<std::string> warnings;
+
+    private:
+      std::vector<InitialBalance> balances;
+      std::vector<Weakening>      weakenings;
+    };
+
+
+
+    template <int dim, int n_components>
+    std::unique_ptr<FaultOutlook>
+    look_at(const SceneParameters<dim> &coarser)
+    {
+      Simulation<dim, n_components> simulation(coarser, MPI_COMM_SELF);
+      return std::make_unique<FaultOutlook>(coarser, simulation);
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<FaultOutlook>
+    make_outlook(const SceneParameters<dim> &scene,
+                 std::vector<std::string>   &warnings)
+    {
+      if (scene.faults.empty())
+        return nullptr;
+      const auto coarser = coarser_scene(scene);
+      if (!coarser)
+        return nullptr;
+      try
+        {
+          std::unique_ptr<FaultOutlook> outlook;
+          if constexpr (dim == 2)
+            if (scene.deformation == Deformation::antiplane)
+              outlook = look_at<dim, 1>(*coarser);
+          if (!outlook)
+            outlook = look_at<dim, dim>(*coarser);
+          warnings.insert(warnings.end(),
+                          outlook->warnings.begin(),
+                          outlook->warnings.end());
+          return outlook;
+        }
+      catch (const std::exception &error)
+        {
+          warnings.push_back("The start on a coarser mesh has failed: " +
+                             sentence(error));
+          return nullptr;
+        }
+    }
+
+
+
+    std::string
+    plural(const double n, const std::string &one, const std::string &several)
+    {
+      return rounded_count(n) + " " + (n == 1. ? one : several);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  report_start(const SceneParameters<dim>     &scene,
+               const unsigned int              n_processes,
+               const std::vector<std::string> &more_warnings,
+               std::ostream                   &out)
+  {
+    const MeshEstimate       meshes   = estimate_meshes(scene);
+    std::vector<std::string> warnings = more_warnings;
+    for (const std::string &warning : scene_warnings(scene, meshes))
+      warnings.push_back(warning);
+    const auto outlook = make_outlook(scene, warnings);
+
+    out << "Meshes: " << plural(scene.bodies.size(), "body", "bodies")
+        << ", about " << rounded_count(meshes.cells) << " cells, "
+        << rounded_count(meshes.unknowns(scene.n_components())) << " unknowns, "
+        << plural(meshes.levels, "level", "levels") << ", "
+        << rounded_count(meshes.memory(dim, n_processes) / 1048576.)
+        << " MiB of memory.\n";
+    for (unsigned int f = 0; f < scene.faults.size(); ++f)
+      {
+        const MeshEstimate::OfFault &fault = meshes.faults[f];
+        out << "Fault " << scene.faults[f].name << ": " << figure(fault.size)
+            << (dim == 2 ? " m" : " m^2") << " in "
+            << plural(fault.faces, "face", "faces") << " of up to "
+            << figure(fault.largest_edge) << " m"
+            << (fault.is_refined_in_part ? " where they are refined" : "")
+            << (outlook ? outlook->line(f, fault.largest_edge) : "") << ".\n";
+        if (outlook)
+          outlook->warn(scene.faults[f], f, fault.largest_edge, warnings);
+      }
+    const FewestOutputs fewest(scene.time, scene.output);
+    out << "Time: " << figure(scene.time.end_time) << " s in at least "
+        << plural(std::ceil(fewest.steps), "step", "steps")
+        << ", with at least "
+        << plural(std::ceil(fewest.fault_records), "record", "records")
+        << " of the faults and "
+        << plural(std::ceil(fewest.volume_sets), "set", "sets")
+        << " of VTU files.\n";
+    for (const std::string &warning : warnings)
+      out << "Warning: " << warning << '\n';
+    out << std::flush;
+  }
+
+
+
+  template void
+  report_start(const SceneParameters<2> &,
+               const unsigned int,
+               const std::vector<std::string> &,
+               std::ostream &);
+  template void
+  report_start(const SceneParameters<3> &,
+               const unsigned int,
+               const std::vector<std::string> &,
+               std::ostream &);
+} // namespace StickSlip

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include "pressed_sphere.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+
+
+TEST(OpeningStatics, ASphereIsPressedOnAPlane)
+{
+  // Cells of 0.28 of the radius.
+  expect_hertz_sphere(2, 0.015);
+}
