@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
-#include <stickslip/multigrid/linearised_operator.h>
 #include <stickslip/problem/fault_stiffness.h>
+#include <stickslip/problem/stiffness_solution.h>
 
 #include <set>
 
@@ -17,51 +16,36 @@ namespace StickSlip
                  const FaultNodes<dim>             &faults,
                  const std::vector<bool>           &slips)
   {
-    constexpr double       reduction      = 1e-6;
-    constexpr unsigned int max_iterations = 1000;
+    constexpr double reduction = 1e-6;
 
-    LevelHierarchy<n_components>         &hierarchy = problem.hierarchy();
-    const LevelDescription<n_components> &finest    = hierarchy.finest();
+    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
 
-    std::vector<double> coefficients(3, 0.);
-    coefficients[SpatialProblem<dim, n_components>::stiffness] = 1.;
-    problem.combine(coefficients);
-    const std::vector<unsigned int> &owned = faults.owned_contact();
-    std::set<unsigned int>           free_nodes;
-    NodalVector                      load = problem.make_vector();
-    double                           area = 0.;
-    for (const unsigned int k : owned)
+    std::set<unsigned int> free_nodes;
+    NodalVector            load = problem.make_vector();
+    for (const unsigned int k : faults.owned_contact())
       if (slips[k])
         {
           free_nodes.insert(faults.node(k));
           load.local_element(faults.node(k) * n_components) =
             faults.weights()[k];
         }
+    double area = 0.;
     for (unsigned int k = 0; k < faults.size(); ++k)
       if (slips[k] && faults.in_contact(k))
         area += faults.weights()[k];
     if (area == 0.)
       return 0.;
-    NodeMask stuck = finest.fixed;
+    NodeMask active = finest.fixed;
     for (const unsigned int p : finest.nonsmooth_nodes)
       if (free_nodes.count(p) == 0)
-        stuck.mask_node(p);
-      else if (n_components == dim && stuck.is_active(p, dim - 1))
-        stuck.mask(p, dim - 1);
-    stuck.apply(load);
+        active.mask_node(p);
+      else if (n_components == dim && active.is_active(p, dim - 1))
+        active.mask(p, dim - 1);
 
     NodalVector w = problem.make_vector();
     try
       {
-        hierarchy.linearise(std::vector<Tensor<2, n_components>>(
-                              finest.nonsmooth_nodes.size()),
-                            stuck);
-        SolverControl control(max_iterations, reduction * load.l2_norm());
-        SolverCG<NodalVector>(control).solve(
-          LinearisedOperator<n_components>{hierarchy},
-          w,
-          load,
-          CyclePreconditioner<n_components>{hierarchy});
+        solve_stiffness(problem, active, load, reduction, w);
       }
     catch (const SolverControl::NoConvergence &)
       {

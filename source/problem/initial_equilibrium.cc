@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/faults/contact_pressure.h>
-#include <stickslip/multigrid/linearised_operator.h>
 #include <stickslip/problem/initial_equilibrium.h>
+#include <stickslip/problem/stiffness_solution.h>
 
 namespace StickSlip
 {
@@ -46,56 +45,30 @@ namespace StickSlip
                          const NodalVector                 &load,
                          NodalVector                       &w)
   {
-    constexpr double       reduction      = 1e-12;
-    constexpr unsigned int max_iterations = 1000;
+    constexpr double reduction = 1e-12;
 
-    LevelHierarchy<n_components>         &hierarchy = problem.hierarchy();
-    const LevelDescription<n_components> &finest    = hierarchy.finest();
+    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
 
-    std::vector<double> coefficients(3, 0.);
-    coefficients[SpatialProblem<dim, n_components>::stiffness] = 1.;
-    problem.combine(coefficients);
-    NodeMask stuck = finest.fixed;
+    NodeMask active = finest.fixed;
     for (const unsigned int p : finest.nonsmooth_nodes)
-      stuck.mask_node(p);
+      active.mask_node(p);
+    const std::string failure =
+      "The static equilibrium at the start was not found: ";
     try
       {
-        hierarchy.linearise(std::vector<Tensor<2, n_components>>(
-                              finest.nonsmooth_nodes.size()),
-                            stuck);
+        return solve_stiffness(problem, active, load, reduction, w);
       }
     catch (const SingularCoarseMatrix &error)
       {
-        throw AgreedFailure("The static equilibrium at the start was not "
-                            "found: " +
-                            std::string(error.what()) +
+        throw AgreedFailure(failure + error.what() +
                             ". Sizes and materials of the bodies must not be "
                             "out of all proportion.");
       }
-
-    NodalVector rhs = problem.make_vector(), change = rhs;
-    problem.operators().matrix().residual(rhs, load, w);
-    stuck.apply(rhs);
-    // Without a load nothing is solved, and the control has no last step.
-    if (!(rhs.l2_norm() > 0.))
-      return 0;
-    SolverControl control(max_iterations, reduction * rhs.l2_norm());
-    try
-      {
-        SolverCG<NodalVector>(control).solve(
-          LinearisedOperator<n_components>{hierarchy},
-          change,
-          rhs,
-          CyclePreconditioner<n_components>{hierarchy});
-      }
     catch (const SolverControl::NoConvergence &)
       {
-        throw AgreedFailure("The static equilibrium at the start was not "
-                            "found: the boundary conditions must hold every "
-                            "body.");
+        throw AgreedFailure(failure +
+                            "the boundary conditions must hold every body.");
       }
-    w += change;
-    return control.last_step();
   }
 
 
