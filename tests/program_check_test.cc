@@ -72,6 +72,37 @@ TEST(ProgramCheck, SaysWhatIsInAMeshFile)
 
 
 
+// A group of cells need not be of one piece.
+TEST(ProgramCheck, SaysHowManyPartsABodyHas)
+{
+  const TemporaryFolder folder;
+  folder.write("islands.msh",
+               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+               "$PhysicalNames\n3\n1 1 \"bottom\"\n1 2 \"rest\"\n"
+               "2 3 \"rock\"\n$EndPhysicalNames\n"
+               "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+               "5 3 0 0\n6 4 0 0\n7 4 1 0\n8 3 1 0\n$EndNodes\n"
+               "$Elements\n10\n1 1 2 1 1 1 2\n2 1 2 1 1 5 6\n"
+               "3 1 2 2 1 2 3\n4 1 2 2 1 3 4\n5 1 2 2 1 4 1\n"
+               "6 1 2 2 1 6 7\n7 1 2 2 1 7 8\n8 1 2 2 1 8 5\n"
+               "9 3 2 3 1 1 2 3 4\n10 3 2 3 1 5 6 7 8\n$EndElements\n");
+  folder.write("scene.prm",
+               "subsection Bodies\n set Names = rock\n"
+               " set Mesh file = islands.msh\nend\n"
+               "subsection Faults\n set Names =\nend\n"
+               "subsection Boundary conditions\n set Sides = rock bottom\n"
+               " subsection rock bottom\n  set x condition = fixed\n"
+               "  set y condition = fixed\n end\nend\n");
+  const Outcome outcome = run_program(folder, "--check scene.prm");
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+  expect_parts(outcome.output,
+               {"rock: 2 quadrilaterals",
+                "2 m^2, in 2 parts that share no "
+                "face\n"});
+}
+
+
+
 TEST(ProgramCheck, SaysWhereFaultsEnd)
 {
   const TemporaryFolder folder;

@@ -4,6 +4,9 @@
 #include <deal.II/grid/grid_out.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/scene/mesh_report.h>
@@ -34,6 +37,25 @@ namespace StickSlip
       if (mesh.all_reference_cells_are_simplex())
         return dim == 2 ? "triangles" : "tetrahedra";
       return dim == 2 ? "quadrilaterals" : "hexahedra";
+    }
+
+
+
+    /** Number of parts of a mesh that share no face. */
+    template <int dim>
+    unsigned int
+    n_parts(const Triangulation<dim> &mesh)
+    {
+      boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>
+        neighbours(mesh.n_active_cells());
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (!cell->at_boundary(f))
+            boost::add_edge(cell->active_cell_index(),
+                            cell->neighbor(f)->active_cell_index(),
+                            neighbours);
+      std::vector<unsigned int> part(mesh.n_active_cells());
+      return boost::connected_components(neighbours, part.data());
     }
 
 
@@ -133,7 +155,10 @@ namespace StickSlip
             << GridTools::minimal_cell_diameter(mesh) << " to "
             << GridTools::maximal_cell_diameter(mesh) << " m, "
             << mesh.n_vertices() << " vertices, " << volume
-            << (dim == 2 ? " m^2" : " m^3") << '\n';
+            << (dim == 2 ? " m^2" : " m^3");
+        if (const unsigned int n = n_parts(mesh); n > 1)
+          out << ", in " << n << " parts that share no face";
+        out << '\n';
         sizes.push_back(side_sizes(mesh));
         for (const auto &side : bodies[b].side_names)
           if (!scene.topology.is_at_fault(b, side.first))
