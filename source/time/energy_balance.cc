@@ -151,8 +151,10 @@ namespace StickSlip
             result.friction +=
               faults.weights()[k] * state.normal_stress[k] *
               law.coefficient(V, law.node_data(state.alpha[k])) * V;
-            result.radiation +=
-              faults.weights()[k] * laws[k].radiation_damping * V * V;
+            // Forces at nodes of known slip rate are those of driven sides.
+            if (!laws[k].is_prescribed)
+              result.radiation +=
+                faults.weights()[k] * laws[k].radiation_damping * V * V;
           }
       }
     return result;
