@@ -296,11 +296,17 @@ TEST(Antiplane, KindsOfFriction)
           {
             EXPECT_TRUE(std::isfinite(fault.slip[k][0]));
             if (kind == "welded")
-              EXPECT_EQ(fault.slip[k][0], 0.);
+              {
+                EXPECT_EQ(fault.slip[k][0], 0.);
+              }
             if (kind == "prescribed slip rate")
-              EXPECT_NEAR(fault.slip[k][0], 1e-4, 1e-6);
+              {
+                EXPECT_NEAR(fault.slip[k][0], 1e-4, 1e-6);
+              }
             if (kind == "frictionless")
-              EXPECT_EQ(fault.shear_traction[k][0], 0.);
+              {
+                EXPECT_EQ(fault.shear_traction[k][0], 0.);
+              }
           }
       }
 }

@@ -57,9 +57,13 @@ TEST(InitialSliding, StateFollowsFromStressAndSlipRate)
       EXPECT_EQ(fault.slip_rate[k][0], 1e-9);
       EXPECT_EQ(fault.slip[k][0], 0.);
       if (fault.points[k][0] <= 0.)
-        EXPECT_NEAR(fault.state[k], 8000., 8.);
+        {
+          EXPECT_NEAR(fault.state[k], 8000., 8.);
+        }
       if (fault.points[k][0] > 0.999)
-        EXPECT_NEAR(fault.state[k], 8e6, 8e3);
+        {
+          EXPECT_NEAR(fault.state[k], 8e6, 8e3);
+        }
       // Without radiation damping, that of sqrt(rho mu)/2.
       EXPECT_NEAR(fault.shear_traction[k][0],
                   26546122.365133364 - 4624440e-9,

@@ -108,14 +108,18 @@ TEST(FlyingBar, IsASumOfWavesThatKeepsItsEnergy)
                   bar.displacement(2 - d, t),
                   2 * d * d);
       if (std::abs(t - bar.impact()) > d && std::abs(t - end) > d)
-        EXPECT_NEAR(bar.modulus *
-                      (bar.displacement(0, t) - bar.displacement(d, t)) / d,
-                    bar.pressure(t),
-                    1e-8);
+        {
+          EXPECT_NEAR(bar.modulus *
+                        (bar.displacement(0, t) - bar.displacement(d, t)) / d,
+                      bar.pressure(t),
+                      1e-8);
+        }
       const double gap = bar.gap + bar.displacement(0, t);
       EXPECT_GE(gap, -1e-15);
       if (bar.pressure(t) > 0)
-        EXPECT_NEAR(gap, 0, 1e-15);
+        {
+          EXPECT_NEAR(gap, 0, 1e-15);
+        }
 
       double           kinetic = 0, elastic = 0, momentum = 0;
       constexpr double n = 4000;

@@ -89,6 +89,12 @@ namespace StickSlip::Tests
                              c = number(i, j + 1), d = number(i + 1, j + 1);
           if (!of_triangles)
             add({a, b, c, d});
+          else if (body.vertices[b].distance(body.vertices[c]) <
+                   (1. - 1e-12) * body.vertices[a].distance(body.vertices[d]))
+            {
+              add({a, b, c});
+              add({b, d, c});
+            }
           else
             {
               add({a, b, d});

@@ -168,7 +168,9 @@ TEST(OpeningMeshGap, ClosesUnderGravity)
       const unsigned int n =
         std::count(scene.state.gap.begin(), scene.state.gap.end(), 0.);
       if (scene.state.time < 0.044)
-        EXPECT_EQ(n, 0u);
+        {
+          EXPECT_EQ(n, 0u);
+        }
       n_touching = std::max(n_touching, n);
     }
   EXPECT_EQ(n_touching, scene.state.gap.size());

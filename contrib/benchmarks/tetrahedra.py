@@ -15,7 +15,8 @@ from .scenes import STATES, Mesh
 # Cubes of half a metre along the sides of a box of 5 m x 5 m x 2 m.
 CELLS = (10, 10, 4)
 SIZE = 0.5
-REFINEMENTS = (0, 1)
+REFINEMENTS = (0, 1, 2)
+SWEEPS = (1, 2)
 SHAPES = {"hexahedra": False, "tetrahedra": True}
 ELEVATIONS = {"level": None, "curved": "0.1*sin(2*pi*x/2.5)*cos(2*pi*y/5)"}
 
@@ -61,7 +62,8 @@ subsection Output
   set Event start slip rate = 1e-4
 end
 subsection TNNMG
-  set Tolerance = 1e-8
+  set Tolerance        = 1e-8
+  set Smoothing sweeps = {sweeps}
 end
 """
 
@@ -83,25 +85,27 @@ def corner(place, bits):
 
 
 def cells(place, of_tetrahedra):
-    """A cube, or the six tetrahedra about its diagonal, with a positive volume."""
+    """A cube, or five tetrahedra: one between every second corner, and one at each other
+    corner. Edges across faces join nodes whose numbers have an even sum."""
     at = [node(*corner(place, bits)) for bits in range(8)]
     if not of_tetrahedra:
         return [(5, *(at[b] for b in (0, 1, 3, 2, 4, 5, 7, 6)))]
-    result = []
-    for order in itertools.permutations((1, 2, 4)):
-        a, b = at[order[0]], at[order[0] + order[1]]
-        if order in ((1, 2, 4), (2, 4, 1), (4, 1, 2)):
-            result.append((4, at[0], a, b, at[7]))
-        else:
-            result.append((4, at[0], b, a, at[7]))
-    return result
+    if sum(place) % 2 == 0:
+        five = ((0, 5, 3, 6), (1, 3, 0, 5), (2, 0, 3, 6), (4, 5, 0, 6), (7, 6, 3, 5))
+    else:
+        five = ((1, 2, 4, 7), (0, 1, 2, 4), (3, 2, 1, 7), (5, 4, 7, 1), (6, 7, 4, 2))
+    return [(4, *(at[b] for b in corners)) for corners in five]
 
 
 def faces(place, first, second, of_tetrahedra):
     a, b, c, d = (
         node(*corner(place, bits)) for bits in (0, first, first + second, second)
     )
-    return [(2, a, b, c), (2, a, c, d)] if of_tetrahedra else [(3, a, b, c, d)]
+    if not of_tetrahedra:
+        return [(3, a, b, c, d)]
+    if sum(place) % 2 == 0:
+        return [(2, a, b, c), (2, a, c, d)]
+    return [(2, a, b, d), (2, b, c, d)]
 
 
 def mesh_text(shape, bend):
@@ -136,14 +140,14 @@ def mesh_text(shape, bend):
     return "\n".join(map(str, text + ["$EndElements", ""]))
 
 
-def scene(shape, bend, refinements, folder):
+def scene(shape, bend, refinements, sweeps, folder):
     """Write a scene with its mesh."""
-    name = f"{bend}-{shape}-{refinements}"
+    name = f"{bend}-{shape}-{refinements}-{sweeps}"
     mesh = folder / f"{name}.msh"
     mesh.write_text(mesh_text(shape, bend))
     path = folder / f"{name}.prm"
     path.write_text(SCENE.format(
-        mesh=mesh.name, refinements=refinements,
+        mesh=mesh.name, refinements=refinements, sweeps=sweeps,
         shape=f"    set Shape = {ELEVATIONS[bend]}\n" if ELEVATIONS[bend] else ""))
     return Mesh(name, f"{shape}, {bend} fault", {}, str(path), 3, 2)
 
@@ -155,8 +159,8 @@ def measure(quick, log):
     records = []
     with programs.temporary_folder() as folder:
         for refinements in REFINEMENTS[: 1 if quick else None]:
-            for bend, shape in itertools.product(ELEVATIONS, SHAPES):
-                mesh = scene(shape, bend, refinements, pathlib.Path(folder))
+            for sweeps, bend, shape in itertools.product(SWEEPS, ELEVATIONS, SHAPES):
+                mesh = scene(shape, bend, refinements, sweeps, pathlib.Path(folder))
                 iterations.measure_states(SECTION, mesh, STATES, records)
                 log(f"{mesh.name} measured")
     return records, None
@@ -166,6 +170,6 @@ def text(records, _):
     return "\n".join((
         "Iterations / V-cycles:\n",
         *iterations.state_tables(
-            records, "fault, cells, refinements",
+            records, "fault, cells, refinements, sweeps",
             lambda record: record["problem"].replace("-", ", ")),
     ))
