@@ -127,8 +127,8 @@ namespace
             std::max(result.largest_below,
                      fault_statistics(faults[f]).mean_slip_rate);
       }
-    EXPECT_EQ(catalogue.events().size(), 1u);
-    for (const SlipEvent &event : catalogue.events())
+    EXPECT_EQ(catalogue.entries().size(), 1u);
+    for (const SlipEvent &event : catalogue.entries())
       {
         EXPECT_EQ(event.fault, "fault4");
         EXPECT_NEAR(event.nucleation[0], -0.5, 0.1);

@@ -137,8 +137,8 @@ TEST(EventCatalogue, SaysWhereOnABentFaultAnEventBegan)
       fault.slip_rate = {Tensor<1, 1>({rate / 2}), Tensor<1, 1>({-rate})};
       catalogue.add(catalogue.state().faults[0].time + 1., {fault});
     }
-  ASSERT_EQ(catalogue.events().size(), 1u);
-  EXPECT_EQ(catalogue.events()[0].nucleation, (std::vector<double>{0, 0, 5}));
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  EXPECT_EQ(catalogue.entries()[0].nucleation, (std::vector<double>{0, 0, 5}));
   const std::string text = content_of(folder.file("events.csv"));
   EXPECT_NE(text.find("mean_slip,nucleation_x,nucleation_y,"
                       "nucleation_arc_length,moment,stress_drop,"

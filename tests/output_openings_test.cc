@@ -150,8 +150,8 @@ TEST(OpeningCatalogue, FindsTimesOfALevelOfTheGap)
     catalogue.add(t,
                   {fault_with_gaps(
                     {thrown(t), 1.5 * std::max(0., thrown(t) - 0.5), 0})});
-  ASSERT_EQ(catalogue.openings().size(), 1u);
-  const Opening &opening = catalogue.openings()[0];
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  const Opening &opening = catalogue.entries()[0];
   EXPECT_EQ(opening.fault, "main");
   // Steps end at 0.9 and 1.2, and at 5.1 and before that at 4.8.
   const double rise = thrown(1.2);
@@ -192,11 +192,11 @@ TEST(OpeningCatalogue, TimesAreThoseOfTheLevel)
                                     threshold);
       for (unsigned int i = 0; i <= n; ++i)
         catalogue.add(tau * i, {fault_with_gaps({0, thrown(tau * i), 0})});
-      ASSERT_EQ(catalogue.openings().size(), 1u);
+      ASSERT_EQ(catalogue.entries().size(), 1u);
       // Linear interpolation of a curvature of 1 at a slope of nearly 2.
       const double limit = n == 50 ? tau : 1.1 * tau * tau / 16;
-      EXPECT_NEAR(catalogue.openings()[0].opens, opens, limit);
-      EXPECT_NEAR(catalogue.openings()[0].closes, closes, limit);
+      EXPECT_NEAR(catalogue.entries()[0].opens, opens, limit);
+      EXPECT_NEAR(catalogue.entries()[0].closes, closes, limit);
     }
 }
 
@@ -214,17 +214,17 @@ TEST(OpeningCatalogue, BouncesBelowTheLevelAreNoOpenings)
   for (const double gap :
        {0., 0.1, 0., 0.09, 0., 1., 0.05, 0.11, 0.06, 2., 0.05, 0.04, 0.1, 0.})
     add(gap);
-  ASSERT_EQ(catalogue.openings().size(), 1u);
-  EXPECT_EQ(catalogue.openings()[0].largest_gap, 2);
-  EXPECT_DOUBLE_EQ(catalogue.openings()[0].opens, 5.1);
-  EXPECT_DOUBLE_EQ(catalogue.openings()[0].closes, 11);
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  EXPECT_EQ(catalogue.entries()[0].largest_gap, 2);
+  EXPECT_DOUBLE_EQ(catalogue.entries()[0].opens, 5.1);
+  EXPECT_DOUBLE_EQ(catalogue.entries()[0].closes, 11);
   // The same node opens once more, from a gap that has not vanished.
   add(0.05);
   add(0.15);
   add(0.);
-  ASSERT_EQ(catalogue.openings().size(), 2u);
-  EXPECT_DOUBLE_EQ(catalogue.openings()[1].opens, 15.5);
-  EXPECT_DOUBLE_EQ(catalogue.openings()[1].closes, 16 + 2. / 3);
+  ASSERT_EQ(catalogue.entries().size(), 2u);
+  EXPECT_DOUBLE_EQ(catalogue.entries()[1].opens, 15.5);
+  EXPECT_DOUBLE_EQ(catalogue.entries()[1].closes, 16 + 2. / 3);
 }
 
 
@@ -251,7 +251,7 @@ TEST(OpeningCatalogue, GoesOnWithinAnOpening)
       for (OpeningCatalogue<2> *catalogue : {&whole, i < 5 ? &begun : &resumed})
         catalogue->add(0.7 * i, {bilateral, fault_with_gaps({0, gaps[i], 0})});
     }
-  EXPECT_EQ(whole.openings().size(), 2u);
+  EXPECT_EQ(whole.entries().size(), 2u);
   EXPECT_EQ(content_of(file_of("resumed")), content_of(file_of("whole")));
 }
 
@@ -264,15 +264,15 @@ TEST(OpeningCatalogue, WritesWhatIsOpenAtTheEndAndMayBeginOpen)
   OpeningCatalogue<2> catalogue(folder.file("a.csv"), {sloping_shape()}, 0);
   catalogue.add(2, {fault_with_gaps({0, 0, 1})});
   catalogue.add(3, {fault_with_gaps({0, 0, 1.4e-7})});
-  EXPECT_TRUE(catalogue.openings().empty());
+  EXPECT_TRUE(catalogue.entries().empty());
   catalogue.add(4, {fault_with_gaps({0, 0, 0.7e-7})});
-  ASSERT_EQ(catalogue.openings().size(), 1u);
-  EXPECT_EQ(catalogue.openings()[0].opens, 2);
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  EXPECT_EQ(catalogue.entries()[0].opens, 2);
   catalogue.add(5, {fault_with_gaps({0, 0, 1.6e-7})});
   catalogue.finish();
   catalogue.finish();
-  ASSERT_EQ(catalogue.openings().size(), 2u);
-  EXPECT_TRUE(std::isnan(catalogue.openings()[1].closes));
+  ASSERT_EQ(catalogue.entries().size(), 2u);
+  EXPECT_TRUE(std::isnan(catalogue.entries()[1].closes));
   EXPECT_NE(lines_of(folder.file("a.csv")).back().find(",5,nan,"),
             std::string::npos);
   EXPECT_THROW(OpeningCatalogue<2>(folder.file("no/a.csv"), {}, 0), InputError);

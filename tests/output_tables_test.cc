@@ -223,13 +223,13 @@ TEST(EventCatalogue, InterpolatesInTheLogarithmOfTheSlipRate)
   add(1.5, std::pow(10, -3.5), 1);
   add(2.5, std::pow(10, -2.5), 3);
   add(3., 1e-2, 4);
-  EXPECT_TRUE(catalogue.events().empty());
+  EXPECT_TRUE(catalogue.entries().empty());
   add(3.25, std::pow(10, -2.5), 5);
   add(3.75, std::pow(10, -3.5), 6); // below the start, above the end
   add(4.25, std::pow(10, -4.5), 8);
 
-  ASSERT_EQ(catalogue.events().size(), 1u);
-  const SlipEvent &event = catalogue.events()[0];
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  const SlipEvent &event = catalogue.entries()[0];
   EXPECT_EQ(event.fault, "main");
   EXPECT_NEAR(event.start, 2., 1e-12);
   EXPECT_NEAR(event.end, 4., 1e-12);
@@ -279,7 +279,7 @@ TEST(EventCatalogue, GoesOnWithinAnEvent)
            {&whole, i < n_begun ? &begun : &resumed})
         catalogue->add(i, {evenly_slipping_fault(rates[i], i * i)});
     }
-  EXPECT_EQ(whole.events().size(), 2u);
+  EXPECT_EQ(whole.entries().size(), 2u);
   EXPECT_EQ(content_of(file_of("resumed")), content_of(file_of("whole")));
 }
 
@@ -304,8 +304,8 @@ TEST(EventCatalogue, FindsWhereAnEventNucleatedAndItsFastestNode)
   add({1e-3, 3e-2, 1e-2});
   add({0, 0, 0});
 
-  ASSERT_EQ(catalogue.events().size(), 1u);
-  const SlipEvent &event = catalogue.events()[0];
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  const SlipEvent &event = catalogue.entries()[0];
   EXPECT_EQ(event.nucleation, std::vector<double>{0});
   EXPECT_EQ(event.peak_slip_rate, 5e-2);
   EXPECT_DOUBLE_EQ(event.peak_mean_slip_rate, (5e-2 + 4e-2 + 1e-5) / 4);
@@ -341,16 +341,16 @@ TEST(EventCatalogue, KeepsFaultsApartAndWritesAnOpenEventAtTheEnd)
   add(4, 1e-4, 1e-2);
   add(5, 1e-1, 1e-3);
   add(6, 1e-5, 2e-3);
-  ASSERT_EQ(catalogue.events().size(), 2u);
-  EXPECT_EQ(catalogue.events()[0].fault, "lower");
-  EXPECT_NEAR(catalogue.events()[0].start, 0.5, 1e-12);
-  EXPECT_NEAR(catalogue.events()[1].start, 4. + 1. / 3, 1e-12);
-  EXPECT_DOUBLE_EQ(catalogue.events()[1].peak_mean_slip_rate, 1e-1);
+  ASSERT_EQ(catalogue.entries().size(), 2u);
+  EXPECT_EQ(catalogue.entries()[0].fault, "lower");
+  EXPECT_NEAR(catalogue.entries()[0].start, 0.5, 1e-12);
+  EXPECT_NEAR(catalogue.entries()[1].start, 4. + 1. / 3, 1e-12);
+  EXPECT_DOUBLE_EQ(catalogue.entries()[1].peak_mean_slip_rate, 1e-1);
 
   catalogue.finish();
   catalogue.finish();
-  ASSERT_EQ(catalogue.events().size(), 3u);
-  const SlipEvent &last = catalogue.events()[2];
+  ASSERT_EQ(catalogue.entries().size(), 3u);
+  const SlipEvent &last = catalogue.entries()[2];
   EXPECT_EQ(last.fault, "upper");
   EXPECT_NEAR(last.start, 3.5, 1e-12);
   EXPECT_TRUE(std::isnan(last.end));
@@ -371,7 +371,7 @@ TEST(EventCatalogue, AnEventMayBeUnderWayAtTheStart)
     folder.file("events.csv"), {"main"}, {level_shape()}, 1e-3, 0.5);
   catalogue.add(2, {evenly_slipping_fault(1, 0)});
   catalogue.add(3, {evenly_slipping_fault(1e-6, 1)});
-  ASSERT_EQ(catalogue.events().size(), 1u);
-  EXPECT_EQ(catalogue.events()[0].start, 2);
-  EXPECT_EQ(catalogue.events()[0].nucleation, std::vector<double>{-1});
+  ASSERT_EQ(catalogue.entries().size(), 1u);
+  EXPECT_EQ(catalogue.entries()[0].start, 2);
+  EXPECT_EQ(catalogue.entries()[0].nucleation, std::vector<double>{-1});
 }

@@ -93,7 +93,7 @@ namespace StickSlip::Tests
             }
         }
       catalogue.finish();
-      events = catalogue.events();
+      events = catalogue.entries();
     }
   };
 } // namespace StickSlip::Tests

@@ -49,20 +49,18 @@ namespace StickSlip
     const std::vector<FaultLayout<dim>> &shapes,
     const double                         start_slip_rate,
     const double                         end_fraction)
-    : positions(shapes)
+    : Catalogue<dim, EventMemory>(file_name, fault_names.size())
+    , positions(shapes)
     , rigidities(rigidities_of(shapes))
-    , file(file_name)
     , start_slip_rate(start_slip_rate)
     , end_slip_rate(end_fraction * start_slip_rate)
   {
     Assert(start_slip_rate > 0 && end_fraction > 0 && end_fraction <= 1,
            ExcMessage("Events need a threshold."));
     AssertDimension(fault_names.size(), shapes.size());
-    memory.faults.resize(fault_names.size());
     for (unsigned int i = 0; i < fault_names.size(); ++i)
-      memory.faults[i].name = fault_names[i];
-    file << header_of(columns());
-    file.end_row();
+      this->memory.faults[i].name = fault_names[i];
+    this->write_header();
   }
 
 
@@ -122,23 +120,11 @@ namespace StickSlip
 
   template <int dim>
   void
-  EventCatalogue<dim>::add(const double                           time,
-                           const std::vector<FaultSnapshot<dim>> &faults)
+  EventCatalogue<dim>::take_in(const unsigned int        fault,
+                               const double              time,
+                               const FaultSnapshot<dim> &snapshot)
   {
-    AssertDimension(faults.size(), memory.faults.size());
-    for (unsigned int i = 0; i < memory.faults.size(); ++i)
-      add(i, time, faults[i]);
-  }
-
-
-
-  template <int dim>
-  void
-  EventCatalogue<dim>::add(const unsigned int        fault,
-                           const double              time,
-                           const FaultSnapshot<dim> &snapshot)
-  {
-    EventState::Fault     &record = memory.faults[fault];
+    EventMemory           &record = this->memory.faults[fault];
     const FaultStatistics &past   = record.statistics;
     const FaultStatistics  now    = fault_statistics(snapshot);
     const FaultMotion      motion(snapshot);
@@ -169,19 +155,19 @@ namespace StickSlip
     if (!record.is_open && now.mean_slip_rate > start_slip_rate)
       {
         record.is_open     = true;
-        record.event       = SlipEvent();
-        record.event.fault = record.name;
-        record.event.start = interpolate(start_slip_rate, record.time, time);
+        record.entry       = SlipEvent();
+        record.entry.fault = record.name;
+        record.entry.start = interpolate(start_slip_rate, record.time, time);
         record.start_slip =
           interpolate(start_slip_rate, past.mean_slip, now.mean_slip);
-        record.event.nucleation = record.nucleation;
+        record.entry.nucleation = record.nucleation;
         record.start_motion     = motion_at(start_slip_rate);
         record.has_ruptured.assign(snapshot.points.size(), 0);
       }
 
     if (record.is_open)
       {
-        SlipEvent &event = record.event;
+        SlipEvent &event = record.entry;
         for (unsigned int k = 0; k < record.has_ruptured.size(); ++k)
           if (magnitude(snapshot.slip_rate[k]) > start_slip_rate)
             record.has_ruptured[k] = 1;
@@ -205,8 +191,7 @@ namespace StickSlip
             event.mean_slip =
               interpolate(end_slip_rate, past.mean_slip, now.mean_slip) -
               record.start_slip;
-            record.is_open = false;
-            write(event);
+            this->end(record);
           }
       }
 
@@ -220,45 +205,17 @@ namespace StickSlip
 
   template <int dim>
   void
-  EventCatalogue<dim>::finish()
+  EventCatalogue<dim>::fill_row(TableFile &row, const SlipEvent &event) const
   {
-    for (EventState::Fault &record : memory.faults)
-      if (record.is_open)
-        {
-          record.is_open = false;
-          write(record.event);
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  EventCatalogue<dim>::resume(const EventState &state)
-  {
-    AssertDimension(state.faults.size(), memory.faults.size());
-    memory.faults = state.faults;
-    for (const SlipEvent &event : state.written)
-      write(event);
-  }
-
-
-
-  template <int dim>
-  void
-  EventCatalogue<dim>::write(const SlipEvent &event)
-  {
-    memory.written.push_back(event);
-    file << event.fault << ',' << event.start << ',' << event.peak_time << ','
-         << event.end << ',' << event.peak_mean_slip_rate << ','
-         << event.peak_slip_rate << ',' << event.mean_slip;
+    row << event.fault << ',' << event.start << ',' << event.peak_time << ','
+        << event.end << ',' << event.peak_mean_slip_rate << ','
+        << event.peak_slip_rate << ',' << event.mean_slip;
     for (const double coordinate : event.nucleation)
-      file << ',' << coordinate;
-    file << ',' << event.source.moment << ',' << event.source.stress_drop << ','
-         << event.source.ruptured_area;
+      row << ',' << coordinate;
+    row << ',' << event.source.moment << ',' << event.source.stress_drop << ','
+        << event.source.ruptured_area;
     if (dim == 3)
-      file << ',' << event.source.magnitude();
-    file.end_row();
+      row << ',' << event.source.magnitude();
   }
 
 

@@ -31,15 +31,13 @@ namespace StickSlip
     const std::string                   &file_name,
     const std::vector<FaultLayout<dim>> &shapes,
     const double                         threshold)
-    : positions(shapes)
-    , file(file_name)
+    : Catalogue<dim, OpeningMemory>(file_name, shapes.size())
+    , positions(shapes)
   {
-    file << header_of(columns());
-    file.end_row();
+    this->write_header();
     for (const FaultLayout<dim> &shape : shapes)
       thresholds.push_back(threshold > 0 ? threshold :
                                            default_threshold * extent(shape));
-    memory.faults.resize(shapes.size());
   }
 
 
@@ -76,27 +74,16 @@ namespace StickSlip
 
   template <int dim>
   void
-  OpeningCatalogue<dim>::add(const double                           time,
-                             const std::vector<FaultSnapshot<dim>> &faults)
+  OpeningCatalogue<dim>::take_in(const unsigned int        number,
+                                 const double              time,
+                                 const FaultSnapshot<dim> &fault)
   {
-    AssertDimension(faults.size(), memory.faults.size());
-    for (unsigned int i = 0; i < memory.faults.size(); ++i)
-      if (faults[i].may_open())
-        add(i, time, faults[i]);
-  }
-
-
-
-  template <int dim>
-  void
-  OpeningCatalogue<dim>::add(const unsigned int        number,
-                             const double              time,
-                             const FaultSnapshot<dim> &fault)
-  {
+    if (!fault.may_open())
+      return;
     const OpeningStatistics now   = opening_statistics(fault);
     const double            opens = thresholds[number], closes = opens / 2;
-    OpeningState::Fault    &record  = memory.faults[number];
-    Opening                &opening = record.opening;
+    OpeningMemory          &record  = this->memory.faults[number];
+    Opening                &opening = record.entry;
 
     // The time at which the largest gap reached a level during the step.
     const auto time_of = [&](const double level) {
@@ -127,8 +114,7 @@ namespace StickSlip
         if (now.largest_gap < closes)
           {
             opening.closes = time_of(closes);
-            record.is_open = false;
-            write(opening);
+            this->end(record);
           }
       }
 
@@ -141,42 +127,14 @@ namespace StickSlip
 
   template <int dim>
   void
-  OpeningCatalogue<dim>::finish()
+  OpeningCatalogue<dim>::fill_row(TableFile &row, const Opening &opening) const
   {
-    for (OpeningState::Fault &record : memory.faults)
-      if (record.is_open)
-        {
-          record.is_open = false;
-          write(record.opening);
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  OpeningCatalogue<dim>::resume(const OpeningState &state)
-  {
-    AssertDimension(state.faults.size(), memory.faults.size());
-    memory.faults = state.faults;
-    for (const Opening &opening : state.written)
-      write(opening);
-  }
-
-
-
-  template <int dim>
-  void
-  OpeningCatalogue<dim>::write(const Opening &opening)
-  {
-    memory.written.push_back(opening);
-    file << opening.fault << ',' << opening.opens << ',' << opening.peak_time
-         << ',' << opening.closes << ',' << opening.largest_gap << ','
-         << opening.largest_open_area;
+    row << opening.fault << ',' << opening.opens << ',' << opening.peak_time
+        << ',' << opening.closes << ',' << opening.largest_gap << ','
+        << opening.largest_open_area;
     for (const auto *position : {&opening.begins_at, &opening.widest_at})
       for (const double coordinate : *position)
-        file << ',' << coordinate;
-    file.end_row();
+        row << ',' << coordinate;
   }
 
 

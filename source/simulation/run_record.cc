@@ -295,7 +295,7 @@ namespace StickSlip
             files->progress.update(last_step.time,
                                    last_step.step_size,
                                    last_slip_rate,
-                                   files->catalogue.events().size());
+                                   files->catalogue.entries().size());
         }
       if (series)
         {
@@ -475,7 +475,7 @@ namespace StickSlip
       files->catalogue.finish();
       RunSummary                    whole   = summary;
       RunSummary::Section          &section = whole.add_section("Events");
-      const std::vector<SlipEvent> &events  = files->catalogue.events();
+      const std::vector<SlipEvent> &events  = files->catalogue.entries();
       for (const FaultParameters &fault : scene.faults)
         section.add_count(fault.name,
                           std::count_if(events.begin(),
@@ -499,7 +499,7 @@ namespace StickSlip
   RunRecord<dim, n_components>::add_openings(RunSummary &summary) const
   {
     RunSummary::Section        &section  = summary.add_section("Openings");
-    const std::vector<Opening> &openings = files->openings->openings();
+    const std::vector<Opening> &openings = files->openings->entries();
     for (const FaultSnapshot<dim> &fault : last_faults)
       if (fault.may_open())
         section.add_count(fault.name,

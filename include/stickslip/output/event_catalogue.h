@@ -4,12 +4,10 @@
 #ifndef stickslip_output_event_catalogue_h
 #define stickslip_output_event_catalogue_h
 
+#include <stickslip/output/catalogue.h>
 #include <stickslip/output/event_source.h>
-#include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/fault_statistics.h>
 #include <stickslip/output/node_positions.h>
-#include <stickslip/output/table_columns.h>
-#include <stickslip/output/table_file.h>
 
 #include <limits>
 #include <string>
@@ -58,47 +56,31 @@ namespace StickSlip
   };
 
   /**
-   * Memory of a catalogue of events from step to step.
+   * The last step as one fault took part in it, and its event, if that is open.
    */
-  struct EventState
+  struct EventMemory
   {
-    /** The last step as one fault took part in it, and its event, if that is
-     * open. */
-    struct Fault
-    {
-      std::string         name;
-      bool                has_past = false;
-      double              time     = 0;
-      FaultStatistics     statistics;
-      std::vector<double> nucleation;
-      FaultMotion         motion;
-      bool                is_open    = false;
-      double              start_slip = 0;
-      FaultMotion         start_motion;
-      std::vector<char>   has_ruptured;
-      SlipEvent           event;
+    using Entry = SlipEvent;
 
-      /** Members to or from a boost archive. */
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &name &has_past &time &statistics &nucleation &motion &is_open
-          &start_slip &start_motion &has_ruptured &event;
-      }
-    };
-
-    std::vector<Fault> faults;
-
-    /** Events that have ended. */
-    std::vector<SlipEvent> written;
+    std::string         name;
+    bool                has_past = false;
+    double              time     = 0;
+    FaultStatistics     statistics;
+    std::vector<double> nucleation;
+    FaultMotion         motion;
+    bool                is_open    = false;
+    double              start_slip = 0;
+    FaultMotion         start_motion;
+    std::vector<char>   has_ruptured;
+    SlipEvent           entry;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &faults &written;
+      archive &name &has_past &time &statistics &nucleation &motion &is_open
+        &start_slip &start_motion &has_ruptured &entry;
     }
   };
 
@@ -113,10 +95,11 @@ namespace StickSlip
    *
    * Columns are the members of SlipEvent, with one for each number of where it
    * nucleated: nucleation_x, _y, _z and _arc_length, as far as they are there;
-   * in three dimensions the magnitude comes last.
+   * in three dimensions the magnitude comes last. An event that never ended has
+   * the end NaN, and the slip so far.
    */
   template <int dim>
-  class EventCatalogue
+  class EventCatalogue : public Catalogue<dim, EventMemory>
   {
   public:
     /**
@@ -131,65 +114,23 @@ namespace StickSlip
                    const double                         start_slip_rate,
                    const double                         end_fraction);
 
-    /** The columns of the file. */
     TableColumns
-    columns() const;
-
-    /**
-     * Take in an accepted step; @p faults in the order of the names given
-     * first.
-     */
-    void
-    add(const double time, const std::vector<FaultSnapshot<dim>> &faults);
-
-    /**
-     * Write the events that have not ended, with an end of NaN and the slip so
-     * far. To be called once after the last step.
-     */
-    void
-    finish();
-
-    /**
-     * The events that have been written.
-     */
-    const std::vector<SlipEvent> &
-    events() const
-    {
-      return memory.written;
-    }
-
-    /**
-     * Memory of all that has been taken in.
-     */
-    const EventState &
-    state() const
-    {
-      return memory;
-    }
-
-    /**
-     * Go on from the state of another catalogue, before anything is taken in;
-     * its events are written.
-     */
-    void
-    resume(const EventState &state);
+    columns() const override;
 
   private:
     void
-    add(const unsigned int        fault,
-        const double              time,
-        const FaultSnapshot<dim> &snapshot);
+    take_in(const unsigned int        fault,
+            const double              time,
+            const FaultSnapshot<dim> &snapshot) override;
 
     void
-    write(const SlipEvent &event);
+    fill_row(TableFile &row, const SlipEvent &event) const override;
 
     const NodePositions<dim>               positions;
     const std::vector<std::vector<double>> rigidities;
 
-    TableFile  file;
-    double     start_slip_rate;
-    double     end_slip_rate;
-    EventState memory;
+    double start_slip_rate;
+    double end_slip_rate;
   };
 } // namespace StickSlip
 

@@ -4,10 +4,8 @@
 #ifndef stickslip_output_opening_catalogue_h
 #define stickslip_output_opening_catalogue_h
 
-#include <stickslip/output/fault_snapshot.h>
+#include <stickslip/output/catalogue.h>
 #include <stickslip/output/node_positions.h>
-#include <stickslip/output/table_columns.h>
-#include <stickslip/output/table_file.h>
 
 #include <limits>
 #include <string>
@@ -51,40 +49,25 @@ namespace StickSlip
   };
 
   /**
-   * Memory of a catalogue of openings from step to step.
+   * The last step as one fault took part in it, and its opening, if that goes
+   * on.
    */
-  struct OpeningState
+  struct OpeningMemory
   {
-    /** The last step as one fault took part in it, and its opening, if that
-     * goes on. */
-    struct Fault
-    {
-      bool    has_past    = false;
-      double  time        = 0;
-      double  largest_gap = 0;
-      bool    is_open     = false;
-      Opening opening;
+    using Entry = Opening;
 
-      /** Members to or from a boost archive. */
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &has_past &time &largest_gap &is_open &opening;
-      }
-    };
-
-    std::vector<Fault> faults;
-
-    /** Openings that have closed. */
-    std::vector<Opening> written;
+    bool    has_past    = false;
+    double  time        = 0;
+    double  largest_gap = 0;
+    bool    is_open     = false;
+    Opening entry;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &faults &written;
+      archive &has_past &time &largest_gap &is_open &entry;
     }
   };
 
@@ -99,10 +82,10 @@ namespace StickSlip
    *
    * Columns are the members of Opening, with one for each number of the two
    * positions: begins_x, _y, _z and _arc_length, as far as they are there, and
-   * widest_x and so on.
+   * widest_x and so on. Faults that may not open have no openings.
    */
   template <int dim>
-  class OpeningCatalogue
+  class OpeningCatalogue : public Catalogue<dim, OpeningMemory>
   {
   public:
     /** Threshold in place of none, over the extent of a fault. */
@@ -117,64 +100,21 @@ namespace StickSlip
                      const std::vector<FaultLayout<dim>> &shapes,
                      const double                         threshold);
 
-    /** The columns of the file. */
     TableColumns
-    columns() const;
-
-    /**
-     * Take in an accepted step; @p faults in the order of the shapes. Those
-     * that may not open have no openings.
-     */
-    void
-    add(const double time, const std::vector<FaultSnapshot<dim>> &faults);
-
-    /**
-     * Write the openings that have not closed. To be called once after the last
-     * step.
-     */
-    void
-    finish();
-
-    /**
-     * The openings that have been written.
-     */
-    const std::vector<Opening> &
-    openings() const
-    {
-      return memory.written;
-    }
-
-    /**
-     * Memory of all that has been taken in.
-     */
-    const OpeningState &
-    state() const
-    {
-      return memory;
-    }
-
-    /**
-     * Go on from the state of another catalogue, before anything is taken in;
-     * its openings are written.
-     */
-    void
-    resume(const OpeningState &state);
+    columns() const override;
 
   private:
     void
-    add(const unsigned int        number,
-        const double              time,
-        const FaultSnapshot<dim> &fault);
+    take_in(const unsigned int        number,
+            const double              time,
+            const FaultSnapshot<dim> &fault) override;
 
     void
-    write(const Opening &opening);
+    fill_row(TableFile &row, const Opening &opening) const override;
 
     const NodePositions<dim> positions;
     /** Threshold of each fault, m. */
     std::vector<double> thresholds;
-
-    TableFile    file;
-    OpeningState memory;
   };
 } // namespace StickSlip
 

@@ -65,11 +65,11 @@ namespace StickSlip
    */
   struct RecordState
   {
-    EventState    events;
-    OpeningState  openings;
-    CadenceState  fault_cadence, volume_cadence;
-    VolumeEntries volumes, surfaces;
-    FileState     time_series, energies, history;
+    CatalogueState<EventMemory>   events;
+    CatalogueState<OpeningMemory> openings;
+    CadenceState                  fault_cadence, volume_cadence;
+    VolumeEntries                 volumes, surfaces;
+    FileState                     time_series, energies, history;
 
     /** The last step, and what it is written in already. */
     StepRecord last_step;
