@@ -7,6 +7,7 @@
 #include <stickslip/parameters/entries.h>
 
 #include <cmath>
+#include <regex>
 
 namespace StickSlip
 {
@@ -31,6 +32,18 @@ namespace StickSlip
            dim == 2             ? "tangential" :
            component == 0       ? "first tangential" :
                                   "second tangential";
+  }
+
+
+
+  template <int dim>
+  bool
+  BoundaryCondition<dim>::varies_in_time(const unsigned int component) const
+  {
+    static const std::regex the_time("\\bt\\b");
+    return (type[component] == BoundaryType::velocity ||
+            type[component] == BoundaryType::traction) &&
+           std::regex_search(expression[component], the_time);
   }
 
 

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 namespace StickSlip
 {
@@ -73,11 +72,7 @@ namespace StickSlip
         side.condition = condition;
         for (unsigned int c = 0; c < n_components; ++c)
           {
-            static const std::regex the_time("\\bt\\b");
-            side.varies[c] =
-              (condition.type[c] == BoundaryType::velocity ||
-               condition.type[c] == BoundaryType::traction) &&
-              std::regex_search(condition.expression[c], the_time);
+            side.varies[c] = condition.varies_in_time(c);
             side.values.emplace_back(condition.expression[c], true);
           }
         const BodyMesh<dim> &body = *finest.bodies[side.body];

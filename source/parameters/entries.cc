@@ -82,6 +82,24 @@ namespace StickSlip
 
 
   void
+  add_numbers(ParameterHandler    &prm,
+              const std::string   &entry,
+              std::vector<double> &values,
+              const NumberRange   &range,
+              const std::string   &documentation)
+  {
+    std::string list;
+    for (const double x : values)
+      list += (list.empty() ? "" : ", ") + shortest_form(x);
+    prm.declare_entry(entry, list, range, documentation);
+    prm.add_action(entry, [&values](const std::string &text) {
+      values = NumberRange::values(text);
+    });
+  }
+
+
+
+  void
   add_field(ParameterHandler  &prm,
             const std::string &entry,
             SpatialField      &field,

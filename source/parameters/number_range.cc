@@ -45,7 +45,7 @@ namespace StickSlip
   NumberRange::match(const std::string &text) const
   {
     const std::vector<std::string> items = Utilities::split_string_list(text);
-    return items.size() == n_numbers &&
+    return (n_numbers == 0 || items.size() == n_numbers) &&
            std::all_of(items.begin(),
                        items.end(),
                        [this](const std::string &item) {
@@ -84,10 +84,11 @@ namespace StickSlip
   std::string
   NumberRange::description(const OutputStyle) const
   {
-    std::string words =
-      n_numbers == 1 ? "a" : Utilities::int_to_string(n_numbers);
+    std::string words = n_numbers == 0 ? "a list of" :
+                        n_numbers == 1 ? "a" :
+                                         Utilities::int_to_string(n_numbers);
     words += only_whole ? " whole number" : " number";
-    if (n_numbers > 1)
+    if (n_numbers != 1)
       words += "s";
 
     std::string joint = " ";
@@ -100,7 +101,7 @@ namespace StickSlip
       words += joint + (upper_included ? "<= " : "< ") + shortest_form(upper);
     if (!unit.empty())
       words += before_unit + unit + after_unit;
-    if (n_numbers > 1)
+    if (n_numbers != 1)
       words += ", separated by commas";
     return words;
   }

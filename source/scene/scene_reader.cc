@@ -11,6 +11,7 @@
 #include <stickslip/scene/coarser_mesh_files.h>
 #include <stickslip/scene/entry_assignment.h>
 #include <stickslip/scene/known_entries.h>
+#include <stickslip/scene/load_breaks.h>
 #include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_declaration.h>
@@ -495,6 +496,7 @@ namespace StickSlip
                                  .string();
     check_scene(scene);
     derive_limits(scene);
+    scene.time.step_ends = load_breaks(scene);
     check_limits(scene);
     return scene;
   }

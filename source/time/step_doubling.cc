@@ -73,7 +73,7 @@ namespace StickSlip
             const double threshold = this->parameters.doubling_threshold;
             if (difference <= threshold)
               {
-                memory.proposed = tau;
+                memory.proposed = this->on_grid(tau);
                 if (growth * difference <= threshold)
                   memory.proposed =
                     std::min<double>(2. * tau, this->parameters.largest_step);

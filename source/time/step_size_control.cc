@@ -128,7 +128,8 @@ namespace StickSlip
   {
     const double longest_ramp = step.longest_ramp();
     double       limited      = tau;
-    const double remaining    = parameters.end_time - time;
+    const double end          = next_end(time);
+    const double remaining    = end - time;
     if (time < longest_ramp && parameters.control != StepSizeControl::constant)
       limited =
         std::min(limited, on_grid(parameters.ramp_fraction * longest_ramp));
@@ -139,7 +140,24 @@ namespace StickSlip
         limited = on_grid(limited / 2.);
     if (limited >= remaining * (1. - 1e-12))
       limited = remaining;
+    // Two steps of the same size, rather than a long and a short one.
+    else if (end < parameters.end_time && 2. * limited > remaining)
+      limited = remaining / 2.;
     return limited;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  StepSizeController<dim, n_components>::next_end(const double time) const
+  {
+    if (parameters.control != StepSizeControl::constant)
+      for (const double end : parameters.step_ends)
+        if (end - time > 1e-12 * parameters.end_time &&
+            end < parameters.end_time)
+          return end;
+    return parameters.end_time;
   }
 
 

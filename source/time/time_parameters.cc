@@ -90,6 +90,15 @@ namespace StickSlip
                "largest velocity and traction so far, without unit; for loads "
                "that depend on time, after the ramp. No step becomes shorter "
                "than the initial one for that. Not used by constant steps.");
+    add_numbers(prm,
+                "Load times",
+                load_times,
+                NumberRange().at_least(0).in("s").any_number_of(),
+                "Times at which steps end, in s, besides those at which "
+                "prescribed velocities and tractions jump or have a kink: such "
+                "times are found by themselves where they are 1/20000 of 'End "
+                "time' or more from each other, at the corners and centres of "
+                "sides. Not used by constant steps.");
     add_choice(
       prm,
       "Inertia",

@@ -76,6 +76,11 @@ namespace StickSlip
     std::string
     component_name(const unsigned int component) const;
 
+    /** True if a component has a velocity or a traction that depends on time
+     * other than by the ramp. */
+    bool
+    varies_in_time(const unsigned int component) const;
+
     /** Declare the entries in the current subsection of @p prm: of components
      * along the axes that the condition has now. */
     void

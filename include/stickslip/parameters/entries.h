@@ -102,6 +102,16 @@ namespace StickSlip
 
 
 
+  /** Declare a list of any number of numbers. */
+  void
+  add_numbers(ParameterHandler    &prm,
+              const std::string   &entry,
+              std::vector<double> &values,
+              const NumberRange   &range,
+              const std::string   &documentation);
+
+
+
   /** Declare a choice among the words that stand for an enumeration. */
   template <typename Enumeration>
   void

@@ -88,6 +88,14 @@ namespace StickSlip
       return *this;
     }
 
+    /** Allow a list of any length, and nothing. */
+    NumberRange &
+    any_number_of()
+    {
+      n_numbers = 0;
+      return *this;
+    }
+
     virtual bool
     match(const std::string &text) const override;
 

@@ -33,8 +33,8 @@ namespace StickSlip
    * no trace in the state: it is forgotten and tried anew with a smaller size.
    * Everything that is remembered from step to step is in a StepMemory.
    *
-   * The sizes used are largest_step 2^-k, but for the last step to the end
-   * time, so that few different operators occur.
+   * The sizes used are largest_step 2^-k, but for the last steps to the end
+   * time and to breaks of the loads, so that few different operators occur.
    */
   template <int dim, int n_components = dim>
   class StepSizeController
@@ -105,7 +105,8 @@ namespace StickSlip
     double
     on_grid(const double tau) const;
 
-    /** The largest step allowed at this time, by the ramp and the end. */
+    /** The largest step allowed at this time, by the ramp, by loads and by
+     * the next time at which a step must end. */
     double
     limit(StepMemory<dim> &memory, const double time, const double tau) const;
 
@@ -113,6 +114,10 @@ namespace StickSlip
     const TimeParameters             &parameters;
 
   private:
+    /** The next time at which a step must end. */
+    double
+    next_end(const double time) const;
+
     BoundaryValues<dim, n_components> &loads;
     std::function<bool()>              must_stop;
   };

@@ -9,6 +9,8 @@
 #include <stickslip/friction/state_evolution.h>
 #include <stickslip/parameters/automatic_number.h>
 
+#include <vector>
+
 namespace StickSlip
 {
   using namespace dealii;
@@ -96,6 +98,10 @@ namespace StickSlip
 
     /** Error allowed in what loads do in a step, relative. */
     double loading_tolerance = 1e-4;
+
+    /** Times at which steps end, s: as given, and all of them in ascending
+     * order, see load_breaks(). Constant steps do not follow them. */
+    std::vector<double> load_times, step_ends;
 
     Inertia inertia = Inertia::dynamic;
 
