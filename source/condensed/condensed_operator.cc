@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
-
+#include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/condensed/condensed_operator.h>
 
 #include <algorithm>
@@ -73,21 +71,16 @@ namespace StickSlip
 
 
   template <int n_components>
-  CondensedOperator<n_components>::~CondensedOperator() = default;
-
-
-
-  template <int n_components>
   void
   CondensedOperator<n_components>::set_matrix(
     const BlockMatrix<n_components> &A,
     const NodeMask                  &fixed)
   {
     /** Up to this number of unknowns UMFPACK solves faster than MUMPS. */
-    constexpr unsigned int small_size = 20000;
+    constexpr unsigned int small_size = 100000;
 
-    factors.reset();
-    set_factor(1.);
+    factors.clear();
+    factor = 1.;
     bulk.set_matrix(A, fixed);
     if (A.n_rows() * n_components > small_size)
       return;
@@ -102,30 +95,10 @@ namespace StickSlip
 
 
   template <int n_components>
-  void
-  CondensedOperator<n_components>::set_factor(const double new_factor)
-  {
-    if (new_factor == factor)
-      return;
-    factor = new_factor;
-    scaled_schur_complement.clear();
-    if (factor == 1.)
-      return;
-    scaled_schur_complement = bulk.schur_complement();
-    for (double &entry : scaled_schur_complement)
-      entry *= factor;
-  }
-
-
-
-  template <int n_components>
   const double *
   CondensedOperator<n_components>::row(const unsigned int i) const
   {
-    const std::vector<double> &S = scaled_schur_complement.empty() ?
-                                     bulk.schur_complement() :
-                                     scaled_schur_complement;
-    return S.data() + std::size_t(i) * entries.size();
+    return bulk.schur_complement().data() + std::size_t(i) * entries.size();
   }
 
 
@@ -135,15 +108,7 @@ namespace StickSlip
   CondensedOperator<n_components>::vmult(std::vector<double>       &y,
                                          const std::vector<double> &x) const
   {
-    const unsigned int n = entries.size();
-    y.assign(n, 0.);
-    for (unsigned int j = 0; j < n; ++j)
-      if (x[j] != 0.)
-        {
-          const double *column = row(j);
-          for (unsigned int i = 0; i < n; ++i)
-            y[i] += x[j] * column[i];
-        }
+    multiply_symmetric(y, factor, bulk.schur_complement(), x);
   }
 
 
@@ -171,7 +136,7 @@ namespace StickSlip
     const std::vector<Tensor<2, n_components>> &H,
     const std::vector<bool>                    &active)
   {
-    if (factors && solve_by_cg(x, r, H, active))
+    if (!factors.empty() && solve_by_cg(x, r, H, active))
       return;
     factorise(H, active);
     apply_factors(x, r, active);
@@ -240,37 +205,34 @@ namespace StickSlip
     const std::vector<bool>                    &active)
   {
     const unsigned int n = entries.size();
-    if (!factors)
-      factors = std::make_unique<LAPACKFullMatrix<double>>(n);
-    LAPACKFullMatrix<double> &matrix = *factors;
-    matrix.reinit(n);
-    for (unsigned int j = 0; j < n; ++j)
-      if (active[j])
+    factors.assign(std::size_t(n) * n, 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      if (active[i])
         {
-          const double *column = row(j);
-          for (unsigned int i = j; i < n; ++i)
-            matrix(i, j) = active[i] ? column[i] : 0.;
+          const double *const S_i = row(i);
+          for (unsigned int j = i; j < n; ++j)
+            if (active[j])
+              factors[std::size_t(i) * n + j] = factor * S_i[j];
         }
       else
         // The right size for the time when the entry is active again.
-        matrix(j, j) = row(j)[j];
+        factors[std::size_t(i) * n + i] = factor * row(i)[i];
     for_each_entry(entries,
                    H,
                    [&](const unsigned int i,
                        const unsigned int j,
                        const double       value) {
-                     if (i >= j && active[i] && active[j])
-                       matrix(i, j) += value;
+                     if (i <= j && active[i] && active[j])
+                       factors[std::size_t(i) * n + j] += value;
                    });
-    matrix.set_property(LAPACKSupport::symmetric);
     try
       {
-        matrix.compute_cholesky_factorization();
+        factorise_symmetric(factors, n, "the condensed matrix");
       }
-    catch (const ExceptionBase &)
+    catch (const SingularMatrix &)
       {
-        factors.reset();
-        throw SingularMatrix("the condensed matrix");
+        factors.clear();
+        throw;
       }
     factorised_hessians = H;
     factorised_active   = active;
@@ -284,7 +246,7 @@ namespace StickSlip
   CondensedOperator<n_components>::factorised() const
   {
     KeptLinearisation<n_components> kept;
-    kept.is_set = (factors != nullptr);
+    kept.is_set = !factors.empty();
     if (!kept.is_set)
       return kept;
     kept.hessians = factorised_hessians;
@@ -326,13 +288,13 @@ namespace StickSlip
     const std::vector<bool>   &active) const
   {
     const unsigned int n = entries.size();
-    Vector<double>     values(n);
-    for (unsigned int i = 0; i < n; ++i)
-      values(i) = active[i] ? b[i] : 0.;
-    factors->solve(values);
     x.resize(n);
     for (unsigned int i = 0; i < n; ++i)
-      x[i] = active[i] ? values(i) : 0.;
+      x[i] = active[i] ? b[i] : 0.;
+    solve_factorised(factors, x);
+    for (unsigned int i = 0; i < n; ++i)
+      if (!active[i])
+        x[i] = 0.;
   }
 
 

@@ -3,12 +3,14 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/algebra/singular_matrix.h>
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/tnnmg/functional_sums.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace StickSlip
@@ -35,6 +37,12 @@ namespace StickSlip
             part.fixed.mask(k, c);
       return part;
     }
+
+
+
+    /** Forces on the entries outside of F, all added up, over those on F, that
+     * are taken for none: what passes on to F is no more than they are. */
+    constexpr double negligible = 1e-11;
 
 
 
@@ -67,12 +75,13 @@ namespace StickSlip
                                     parameters)
     , operators(operators)
     , entries(operators.unknowns())
-    , prescribed(operators.unknowns().nodes.make_vector())
-    , load(prescribed)
-    , scratch(prescribed)
-    , bulk(prescribed)
+    , base(operators.unknowns().nodes.make_vector())
+    , load(base)
+    , scratch(base)
+    , bulk(base)
     , g(this->residual)
     , z(this->residual)
+    , z_of_base(this->residual)
   {
     AssertThrow(Utilities::MPI::n_mpi_processes(
                   operators.unknowns().nodes.communicator()) == 1,
@@ -149,26 +158,31 @@ namespace StickSlip
   {
     find_operator();
 
-    // Values are zero on F, and all outside minimal for that. Nothing depends
-    // on the free components of w, which may be large and wrong.
-    scratch = w;
-    operators.unknowns().fixed.apply(scratch);
-    prescribed = w;
-    prescribed -= scratch;
-    operators.matrix().residual(load, b, prescribed);
+    // All outside of F is made minimal for the values that w has on F.
+    base = w;
+    operators.matrix().residual(load, b, base);
     scratch = load;
     restrict_to_eliminated(scratch);
-    condensed_operators.front().condensed.solve_eliminated(bulk, scratch);
-    restrict_to_eliminated(bulk);
-    operators.matrix().vmult(scratch, bulk);
-    scratch.sadd(-1., 1., load);
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      g.local_element(entries.positions_at_nodes[i]) =
-        scratch.local_element(entries.positions[i]);
+    double on_faults = 0.;
+    for (const unsigned int position : entries.positions)
+      on_faults += std::abs(b.local_element(position));
+    if (!(scratch.l1_norm() <= negligible * on_faults))
+      {
+        condensed_operators.front().condensed.solve_eliminated(bulk, scratch);
+        restrict_to_eliminated(bulk);
+        base += bulk;
+        operators.matrix().residual(load, b, base);
+      }
 
-    bulk += prescribed;
-    scratch.sadd(-1., 1., b);
-    this->square_of_rest = bulk * scratch;
+    gather(base, z_of_base);
+    vmult(g, z_of_base);
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      g.local_element(entries.positions_at_nodes[i]) +=
+        load.local_element(entries.positions[i]);
+
+    scratch = b;
+    scratch -= load;
+    this->square_of_rest = base * scratch;
   }
 
 
@@ -180,12 +194,7 @@ namespace StickSlip
     const NodalVector &,
     NodalVector &w)
   {
-    const std::vector<unsigned int> &nodes =
-      operators.unknowns().nonsmooth_nodes;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int c = 0; c < n_components; ++c)
-        z.local_element(k * n_components + c) =
-          w.local_element(nodes[k] * n_components + c);
+    gather(w, z);
     // The residual is formed anew each time, so that rounding from a bad start
     // is left behind.
     vmult(this->residual, z);
@@ -238,8 +247,10 @@ namespace StickSlip
               const double  change = v[c] - start[c];
               const double *column = S.row(entries.of_node[k][c]);
               z.local_element(k * n_components + c) = v[c];
-              for (unsigned int i = 0; i < n; ++i)
-                rest[i] -= change * column[i];
+              add_multiple(rest.data(),
+                           -change * S.present_factor(),
+                           column,
+                           n);
             }
       }
     set_entries(r, rest);
@@ -261,7 +272,7 @@ namespace StickSlip
                              j = entries.of_node[k][d];
           result[c][d]         = (i != numbers::invalid_unsigned_int &&
                           j != numbers::invalid_unsigned_int) ?
-                                   S.row(i)[j] :
+                                   S.present_factor() * S.row(i)[j] :
                                    (c == d ? 1. : 0.);
         }
     return result;
@@ -301,22 +312,17 @@ namespace StickSlip
   void
   CondensedSolver<n_components>::finish(const NodalVector &, NodalVector &w)
   {
-    std::vector<double> values(entries.size());
     scratch = 0.;
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      {
-        values[i] = w.local_element(entries.positions[i]);
-        scratch.local_element(entries.positions[i]) = values[i];
-      }
-    operators.matrix().vmult(bulk, scratch);
-    bulk.sadd(-1., 1., load);
+    for (const unsigned int position : entries.positions)
+      scratch.local_element(position) =
+        w.local_element(position) - base.local_element(position);
+    w = base;
+    w += scratch;
+    operators.matrix().vmult(load, scratch);
+    restrict_to_eliminated(load);
+    condensed_operators.front().condensed.solve_eliminated(bulk, load);
     restrict_to_eliminated(bulk);
-    condensed_operators.front().condensed.solve_eliminated(scratch, bulk);
-    w = scratch;
-    restrict_to_eliminated(w);
-    w += prescribed;
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      w.local_element(entries.positions[i]) = values[i];
+    w -= bulk;
   }
 
 
@@ -349,6 +355,21 @@ namespace StickSlip
   {
     find_operator();
     condensed_operators.front().condensed.recall(kept);
+  }
+
+
+
+  template <int n_components>
+  void
+  CondensedSolver<n_components>::gather(const NodalVector &w,
+                                        NodalVector       &z) const
+  {
+    const std::vector<unsigned int> &nodes =
+      operators.unknowns().nonsmooth_nodes;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        z.local_element(k * n_components + c) =
+          w.local_element(nodes[k] * n_components + c);
   }
 
 

@@ -70,6 +70,7 @@ namespace StickSlip
                                                   "parameters.prm",
                                                   "summary.txt",
                                                   "checkpoints",
+                                                  "stations",
                                                   "run.png",
                                                   "run.html"};
       return names.count(name.filename().string()) > 0 || is_field_file(name);
@@ -84,7 +85,8 @@ namespace StickSlip
     std::vector<std::filesystem::path> found;
     for (const auto &item : std::filesystem::directory_iterator(path))
       if (is_result(item.path()) &&
-          (item.is_regular_file() || item.path().filename() == "checkpoints"))
+          (item.is_regular_file() || item.path().filename() == "checkpoints" ||
+           item.path().filename() == "stations"))
         found.push_back(item.path());
     return found;
   }

@@ -96,6 +96,27 @@ namespace StickSlip
                 "records in faults.h5",
                 "1e-5 m, or, in runs of more than 1000 s, 1/2000",
                 "0.5 s; in runs of more than 1000 s 1/2000 of 'End time'");
+    prm.declare_entry(
+      "Stations",
+      StationList::text(stations),
+      StationList(),
+      "Points of faults and bodies whose fields are recorded in "
+      "stations/NAME.dat, in the form of the SEAS benchmarks: of a fault slip "
+      "(m), log10 of the slip rate (m/s), shear stress (MPa), normal stress "
+      "(MPa), where it follows slip, and log10 of the state (s); of a body "
+      "displacement (m) and velocity (m/s). Coordinates are those of the "
+      "unmoved bodies.");
+    prm.add_action("Stations", [this](const std::string &text) {
+      stations = StationList::values(text);
+    });
+    add_cadence(prm,
+                "Station",
+                station_cadence,
+                "A line is added to the files of all stations",
+                "the last one",
+                "lines in the files of stations",
+                "1e-5 m, or, in runs of more than 1000 s, 1/2000",
+                "0.5 s; in runs of more than 1000 s 1/2000 of 'End time'");
     add_switch(prm,
                "Write fault surfaces",
                write_fault_surfaces,

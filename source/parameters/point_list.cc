@@ -10,25 +10,24 @@
 
 namespace StickSlip
 {
+  std::vector<std::string>
+  split_quantities(const std::string &text)
+  {
+    std::istringstream       stream(text);
+    std::vector<std::string> list;
+    for (std::string word; stream >> word;)
+      if (list.empty() ||
+          std::string("+-.0123456789").find(word[0]) != std::string::npos)
+        list.push_back(word);
+      else
+        list.back() += " " + word;
+    return list;
+  }
+
+
+
   namespace
   {
-    /** The numbers of a point, each with the unit that follows it. */
-    std::vector<std::string>
-    numbers_of(const std::string &text)
-    {
-      std::istringstream       stream(text);
-      std::vector<std::string> list;
-      for (std::string word; stream >> word;)
-        if (list.empty() ||
-            std::string("+-.0123456789").find(word[0]) != std::string::npos)
-          list.push_back(word);
-        else
-          list.back() += " " + word;
-      return list;
-    }
-
-
-
     const NumberRange &
     length()
     {
@@ -45,7 +44,7 @@ namespace StickSlip
     const std::vector<std::string> items = Utilities::split_string_list(text);
     for (const std::string &item : items)
       {
-        const std::vector<std::string> numbers = numbers_of(item);
+        const std::vector<std::string> numbers = split_quantities(item);
         if (numbers.size() != 2 || !length().match(numbers[0]) ||
             !length().match(numbers[1]))
           return false;
@@ -73,7 +72,7 @@ namespace StickSlip
     std::vector<Point<2>> points;
     for (const std::string &item : Utilities::split_string_list(text))
       {
-        const std::vector<std::string> numbers = numbers_of(item);
+        const std::vector<std::string> numbers = split_quantities(item);
         points.emplace_back(NumberRange::values(numbers[0])[0],
                             NumberRange::values(numbers[1])[0]);
       }

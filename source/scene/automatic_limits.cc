@@ -88,6 +88,8 @@ namespace StickSlip
               &scene.time.largest_step,
               &scene.output.fault_cadence.slip_interval,
               &scene.output.fault_cadence.longest_interval,
+              &scene.output.station_cadence.slip_interval,
+              &scene.output.station_cadence.longest_interval,
               &scene.output.volume_cadence.slip_interval,
               &scene.output.volume_cadence.longest_interval};
     }
@@ -129,6 +131,7 @@ namespace StickSlip
         std::max(interval * length, cadence.shortest_interval));
     };
     derive(scene.output.fault_cadence, 1e-5, 1. / 2000., 0.5);
+    derive(scene.output.station_cadence, 1e-5, 1. / 2000., 0.5);
     derive(scene.output.volume_cadence, 1e-4, 1. / 100., 5.);
   }
 

@@ -8,6 +8,7 @@
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/scene/loading_rate.h>
+#include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_declaration.h>
 #include <stickslip/scene/side_points.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <map>
 #include <regex>
+#include <set>
 
 namespace StickSlip
 {
@@ -75,6 +77,7 @@ namespace StickSlip
     {
       for (const auto &[name, cadence] :
            {std::make_pair(std::string("Fault"), output.fault_cadence),
+            std::make_pair(std::string("Station"), output.station_cadence),
             std::make_pair(std::string("Volume"), output.volume_cadence)})
         check_order("Output",
                     {name + " shortest interval", cadence.shortest_interval},
@@ -83,6 +86,35 @@ namespace StickSlip
           has_field(output.volume_fields, VolumeField::acceleration))
         throw InputError("'Output/Volume fields' lists 'acceleration', which "
                          "there is for 'Time/Inertia' = 'dynamic' only.");
+    }
+
+
+
+    template <int dim>
+    void
+    check_stations(const SceneParameters<dim> &scene)
+    {
+      std::set<std::string> places, names;
+      for (const std::string &fault : names_of(scene.faults))
+        places.insert(fault);
+      for (const std::string &body : names_of(scene.bodies))
+        places.insert(body);
+      for (const Station &station : scene.output.stations)
+        {
+          const std::string context =
+            "'Output/Stations': '" + station.name + "' ";
+          if (!names.insert(station.name).second)
+            throw InputError(context +
+                             "is listed twice; each may be listed once.");
+          if (places.count(station.place) == 0)
+            throw InputError(context + "is at '" + station.place +
+                             "', which is neither a fault nor a body.");
+          if (station.position.size() != dim)
+            throw InputError(context + "has " +
+                             std::to_string(station.position.size()) +
+                             " coordinates, but the scene has " +
+                             std::to_string(dim) + " axes.");
+        }
     }
 
 
@@ -491,6 +523,7 @@ namespace StickSlip
     check_antiplane(scene);
     check_doubling(scene);
     check_boundary_conditions(scene);
+    check_stations(scene);
 
     if (!scene.faults.empty() && scene.output.event_start_slip_rate == 0 &&
         event_start_slip_rate(scene) == 0)

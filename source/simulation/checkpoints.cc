@@ -42,7 +42,8 @@ namespace StickSlip
     {
       return entry == "Time/End time" ||
              (entry.rfind("Output/", 0) == 0 &&
-              entry != "Output/Write faults" && entry != "Output/Fault fields");
+              entry != "Output/Write faults" &&
+              entry != "Output/Fault fields" && entry != "Output/Stations");
     }
 
 

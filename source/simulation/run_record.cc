@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <tuple>
@@ -119,6 +120,7 @@ namespace StickSlip
     const SceneParameters<dim>            &scene,
     const std::vector<FaultSnapshot<dim>> &faults,
     const std::vector<FaultLayout<dim>>   &shapes,
+    const std::vector<StationTable>       &station_tables,
     const RecordState                     *earlier)
     : directory(prepared_directory(scene.output.directory, earlier))
     , catalogue(directory.file("events.csv"),
@@ -152,6 +154,16 @@ namespace StickSlip
                                                       earlier->history) :
                   std::make_unique<FaultHistory<dim>>(
                     history_file, faults, shapes, scene.output.fault_fields);
+    if (!station_tables.empty())
+      stations =
+        earlier != nullptr && !earlier->stations.empty() ?
+          std::make_unique<StationFiles>(directory,
+                                         station_tables,
+                                         earlier->stations) :
+          std::make_unique<StationFiles>(
+            directory,
+            station_tables,
+            std::filesystem::path(scene.output.directory).filename().string());
     if (std::any_of(faults.begin(), faults.end(), [](const auto &fault) {
           return fault.may_open();
         }))
@@ -200,7 +212,9 @@ namespace StickSlip
     : scene(scene)
     , space(space)
     , communicator(space.meshes().finest().nodes.communicator())
+    , stations(scene, space.meshes().finest(), space.jump_basis())
     , fault_cadence(scene.output.fault_cadence)
+    , station_cadence(scene.output.station_cadence)
     , volume_cadence(scene.output.volume_cadence)
   {
     carry_out_agreed(communicator, [&]() {
@@ -210,17 +224,20 @@ namespace StickSlip
         make_fault_layouts(space.jump_basis());
       for (unsigned int f = 0; f < shapes.size(); ++f)
         shapes[f].rigidity = fault_rigidity(scene, f, shapes[f].surface.points);
-      files = std::make_unique<Files>(scene, faults, shapes, earlier);
+      files = std::make_unique<Files>(
+        scene, faults, shapes, stations.tables(), earlier);
     });
     if (earlier == nullptr)
       return;
     fault_cadence.resume(earlier->fault_cadence);
+    station_cadence.resume(earlier->station_cadence);
     volume_cadence.resume(earlier->volume_cadence);
     last_faults      = faults;
     last_step        = earlier->last_step;
     last_slip_rate   = earlier->last_slip_rate;
     in_time_series   = earlier->in_time_series;
     in_fault_history = earlier->in_fault_history;
+    in_stations      = earlier->in_stations;
     in_fields        = earlier->in_fields;
     n_missed         = earlier->n_missed;
   }
@@ -240,7 +257,7 @@ namespace StickSlip
     is_new      = true;
     // The state at the start is no step.
     in_time_series   = (step.step == 0);
-    in_fault_history = in_fields = false;
+    in_fault_history = in_stations = in_fields = false;
 
     last_slip_rate = 0;
     for (const auto &fault : faults)
@@ -260,6 +277,8 @@ namespace StickSlip
           every > 0 && step.step > 0 && step.step % every == 0,
           scene.output.write_faults &&
             fault_cadence.is_due(step.time, last_slip_rate),
+          !stations.tables().empty() &&
+            station_cadence.is_due(step.time, last_slip_rate),
           has_fields() && volume_cadence.is_due(step.time, last_slip_rate));
   }
 
@@ -272,6 +291,7 @@ namespace StickSlip
     const EnergyBalance<dim, n_components> *energy,
     const bool                              series,
     const bool                              fault_history,
+    const bool                              at_stations,
     const bool                              fields)
   {
     std::optional<EnergyRecord> energies;
@@ -281,6 +301,9 @@ namespace StickSlip
                surfaces = fields && scene.output.write_fault_surfaces;
     const VolumeNodalValues values =
       volume ? gather_volume(state) : VolumeNodalValues();
+    std::vector<std::vector<double>> station_values;
+    if (at_stations)
+      station_values = stations.values(state, last_faults);
     complete_faults(state, surfaces, fault_history);
     carry_out_agreed(communicator, [&]() {
       if (!files)
@@ -309,6 +332,8 @@ namespace StickSlip
           files->history->add(last_step.time, last_faults);
           in_fault_history = true;
         }
+      if (at_stations)
+        files->stations->add(last_step.time, station_values);
       // A file that cannot be written leaves a gap, and the next one is tried.
       const unsigned int number =
         n_missed + std::max(files->volumes.entries().size(),
@@ -325,6 +350,11 @@ namespace StickSlip
     });
     if (fault_history)
       fault_cadence.note_written(last_step.time, last_slip_rate);
+    if (at_stations)
+      {
+        station_cadence.note_written(last_step.time, last_slip_rate);
+        in_stations = true;
+      }
     if (fields)
       {
         volume_cadence.note_written(last_step.time, last_slip_rate);
@@ -425,11 +455,13 @@ namespace StickSlip
   {
     RecordState state;
     state.fault_cadence    = fault_cadence.state();
+    state.station_cadence  = station_cadence.state();
     state.volume_cadence   = volume_cadence.state();
     state.last_step        = last_step;
     state.last_slip_rate   = last_slip_rate;
     state.in_time_series   = in_time_series;
     state.in_fault_history = in_fault_history;
+    state.in_stations      = in_stations;
     state.in_fields        = in_fields;
     state.n_missed         = n_missed;
     carry_out_agreed(communicator, [&]() {
@@ -446,6 +478,8 @@ namespace StickSlip
         state.energies = files->energies->state();
       if (files->history)
         state.history = files->history->state();
+      if (files->stations)
+        state.stations = files->stations->state();
     });
     return state;
   }
@@ -468,6 +502,7 @@ namespace StickSlip
           energy,
           scene.output.time_series_steps > 0 && !written.first,
           scene.output.write_faults && !written.second,
+          !stations.tables().empty() && !in_stations,
           has_fields() && !in_fields);
     carry_out_agreed(communicator, [&]() {
       if (!files)

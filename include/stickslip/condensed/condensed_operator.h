@@ -9,12 +9,6 @@
 #include <stickslip/algebra/umfpack_factorisation.h>
 #include <stickslip/multigrid/kept_linearisation.h>
 
-namespace dealii
-{
-  template <typename number>
-  class LAPACKFullMatrix;
-}
-
 namespace StickSlip
 {
   /**
@@ -60,17 +54,25 @@ namespace StickSlip
     /** @p entries must live longer than this object. */
     explicit CondensedOperator(const CondensedEntries<n_components> &entries);
 
-    ~CondensedOperator();
-
     /** Let A be a matrix, with the factor 1. Throws SingularMatrix. */
     void
     set_matrix(const BlockMatrix<n_components> &A, const NodeMask &fixed);
 
     /** Let A be @p factor > 0 times the last matrix. */
     void
-    set_factor(const double factor);
+    set_factor(const double new_factor)
+    {
+      factor = new_factor;
+    }
 
-    /** Row @p i of S, and column, since S is symmetric. */
+    /** The factor of A. */
+    double
+    present_factor() const
+    {
+      return factor;
+    }
+
+    /** Row @p i of S over that factor, and column, since S is symmetric. */
     const double *
     row(const unsigned int i) const;
 
@@ -133,12 +135,11 @@ namespace StickSlip
     const CondensedEntries<n_components> &entries;
     MumpsFactorisation<n_components>      bulk;
     double                                factor = 1.;
-    /** The factor times the Schur complement; empty where it is one. */
-    std::vector<double> scaled_schur_complement;
     /** Factors of A_II once more where it is small: UMFPACK solves faster
      * then. */
     std::unique_ptr<UmfpackFactorisation<n_components>> small_bulk;
-    std::unique_ptr<LAPACKFullMatrix<double>>           factors;
+    /** Empty if there are none. */
+    std::vector<double> factors;
     /** Linearisation that they are the factors of. */
     std::vector<Tensor<2, n_components>> factorised_hessians;
     std::vector<bool>                    factorised_active;

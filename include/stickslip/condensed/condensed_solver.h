@@ -43,8 +43,8 @@ namespace StickSlip
     start(const NodalVector &b, const NodalVector &w) override;
 
     /**
-     * The norm of the iterate in the summary leaves out the product of z with
-     * the prescribed components.
+     * The square of the norm of the iterate in the summary is z . S z and that
+     * of all values at the start.
      */
     IterationSummary
     iterate(const NonsmoothFunctional<n_components> &functional,
@@ -111,6 +111,10 @@ namespace StickSlip
     void
     set_entries(NodalVector &z, const std::vector<double> &values) const;
 
+    /** Let z be the part of w at the nonsmooth nodes. */
+    void
+    gather(const NodalVector &w, NodalVector &z) const;
+
     /** Set the fixed components and those of F to zero. */
     void
     restrict_to_eliminated(NodalVector &vector) const;
@@ -121,11 +125,11 @@ namespace StickSlip
     std::list<Operator> condensed_operators;
     unsigned int        condensations = 0;
 
-    /** The fixed components, what remains of b with them, and two vectors of
-     * all unknowns as work space. */
-    NodalVector prescribed, load, scratch, bulk;
+    /** The values at the start with all outside F minimal for those on F, the
+     * residual of them, and work space. */
+    NodalVector base, load, scratch, bulk;
     /** Vectors of the nonsmooth nodes. */
-    NodalVector g, z;
+    NodalVector g, z, z_of_base;
   };
 } // namespace StickSlip
 

@@ -8,6 +8,7 @@
 
 #include <stickslip/output/output_cadence.h>
 #include <stickslip/output/output_fields.h>
+#include <stickslip/parameters/station_list.h>
 
 #include <string>
 #include <vector>
@@ -42,6 +43,11 @@ namespace StickSlip
 
     /** Cadence of faults.h5, by the largest slip rate of any fault. */
     CadenceParameters fault_cadence = {2., 1e-5, 1e-3, 0.5};
+
+    /** Stations whose fields are recorded, and their cadence, by the largest
+     * slip rate of any fault. */
+    std::vector<Station> stations;
+    CadenceParameters    station_cadence = {2., 1e-5, 1e-3, 0.5};
 
     /** Choice of the VTU files of the faults, which have the same fields and
      * come with the cadence of those of the bodies. */

@@ -49,6 +49,13 @@ namespace StickSlip
   private:
     unsigned int n_points;
   };
+
+  /**
+   * The numbers in a text without commas, each with the unit that follows it:
+   * "0 40 km" has "0" and "40 km".
+   */
+  std::vector<std::string>
+  split_quantities(const std::string &text);
 } // namespace StickSlip
 
 #endif

@@ -19,6 +19,7 @@
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_state.h>
+#include <stickslip/simulation/stations.h>
 #include <stickslip/time/energy_balance.h>
 
 namespace StickSlip
@@ -81,6 +82,7 @@ namespace StickSlip
           const EnergyBalance<dim, n_components> *energy,
           const bool                              series,
           const bool                              fault_history,
+          const bool                              at_stations,
           const bool                              fields);
 
     /** Fill in the fields of the last faults that only files have.
@@ -118,6 +120,7 @@ namespace StickSlip
       Files(const SceneParameters<dim>            &scene,
             const std::vector<FaultSnapshot<dim>> &faults,
             const std::vector<FaultLayout<dim>>   &shapes,
+            const std::vector<StationTable>       &station_tables,
             const RecordState                     *earlier);
 
       /** Say in columns.csv what is in the tables. */
@@ -132,6 +135,7 @@ namespace StickSlip
       std::unique_ptr<TimeSeries<dim>>   time_series;
       std::unique_ptr<EnergySeries>      energies;
       std::unique_ptr<FaultHistory<dim>> history;
+      std::unique_ptr<StationFiles>      stations;
       /** Openings, if a fault may open, null otherwise. */
       std::unique_ptr<OpeningCatalogue<dim>> openings;
     };
@@ -139,8 +143,10 @@ namespace StickSlip
     const SceneParameters<dim>            &scene;
     const ContactSpace<dim, n_components> &space;
     const MPI_Comm                         communicator;
+    const Stations<dim>                    stations;
     std::unique_ptr<Files>                 files;
     OutputCadence                          fault_cadence;
+    OutputCadence                          station_cadence;
     OutputCadence                          volume_cadence;
 
     /** The last step taken in, and whether it is in the files; of the time
@@ -151,6 +157,7 @@ namespace StickSlip
     bool                            is_new           = false;
     bool                            in_time_series   = true;
     bool                            in_fault_history = true;
+    bool                            in_stations      = true;
     bool                            in_fields        = true;
 
     /** Times whose VTU files could not be written. */

@@ -67,14 +67,17 @@ namespace StickSlip
   {
     CatalogueState<EventMemory>   events;
     CatalogueState<OpeningMemory> openings;
-    CadenceState                  fault_cadence, volume_cadence;
-    VolumeEntries                 volumes, surfaces;
-    FileState                     time_series, energies, history;
+    CadenceState  fault_cadence, station_cadence, volume_cadence;
+    VolumeEntries volumes, surfaces;
+    FileState     time_series, energies, history;
+    /** One for each station. */
+    std::vector<FileState> stations;
 
     /** The last step, and what it is written in already. */
     StepRecord last_step;
     double     last_slip_rate = 0;
-    bool       in_time_series = true, in_fault_history = true, in_fields = true;
+    bool in_time_series = true, in_fault_history = true, in_stations = true,
+         in_fields = true;
 
     /** Times whose VTU files could not be written. */
     unsigned int n_missed = 0;
@@ -84,9 +87,10 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &events &openings &fault_cadence &volume_cadence &volumes
-        &surfaces &time_series &energies &history &last_step &last_slip_rate
-          &in_time_series &in_fault_history &in_fields &n_missed;
+      archive &events &openings &fault_cadence &station_cadence &volume_cadence
+        &volumes &surfaces &time_series &energies &history &stations &last_step
+          &last_slip_rate &in_time_series &in_fault_history &in_stations
+            &in_fields &n_missed;
     }
   };
 
