@@ -13,11 +13,10 @@ TEST(LongSpringSlider, GivesThePublishedEvents)
   const RunHistory run(published_scene("spring_slider"));
   EXPECT_NEAR(run.steps.back().time, 60., 1e-9);
 
-  EXPECT_GE(run.events.size(), 18u);
-  EXPECT_LE(run.events.size(), 30u);
+  // Those of doc/results.md; later ones depend on the compiler.
+  EXPECT_NEAR(run.events.size(), 22., 2.);
   ASSERT_FALSE(run.events.empty());
-  EXPECT_GT(run.events.front().start, 20.);
-  EXPECT_LT(run.events.front().start, 23.5);
+  EXPECT_NEAR(run.events.front().start, 22.277, 1e-3);
   double       fastest_node = 0;
   unsigned int n_central    = 0;
   for (const SlipEvent &event : run.events)
@@ -62,7 +61,7 @@ TEST(LongSpringSlider, EventTimesHardlyDependOnTheTolerance)
   ASSERT_GE(fine.size(), 4u);
   const double recurrence = (fine[3].start - fine[0].start) / 3.;
   for (unsigned int i = 0; i < 4; ++i)
-    EXPECT_LT(std::abs(coarse[i].start - fine[i].start), 0.02 * recurrence)
+    EXPECT_LT(std::abs(coarse[i].start - fine[i].start), 0.006 * recurrence)
       << "event " << i;
 }
 
