@@ -141,7 +141,8 @@ class Case:
         changes, more_lines, self.path = {}, [], None
         for edit in (e.strip(" ") for e in columns[1].split(" ; ")):
             edit = edit.encode("utf-8").replace(b"\\0", b"\0").replace(b"\\t", b"\t")
-            edit = edit.replace(b"\\r", b"\r")
+            edit = edit.replace(b"\\r", b"\r").replace(b"\\x1b", b"\x1b")
+            edit = edit.replace(b"\\x85", "\x85".encode("utf-8"))
             edit = edit.decode("utf-8")
             if edit.startswith("- "):
                 changes[edit[2:].strip()] = None

@@ -60,10 +60,12 @@ namespace StickSlip
           {
             ++number;
             remove_byte_order_mark(line, number);
-            if (line.find('\0') != std::string::npos)
+            const std::string content   = line.substr(0, line.find('#'));
+            const int         character = control_character(content);
+            if (character >= 0 && character != '\r')
               fail(number,
-                   "there is a byte of value zero; a table is plain text");
-            const std::string        content = line.substr(0, line.find('#'));
+                   "there is the control character " +
+                     std::to_string(character) + "; a table is plain text");
             std::istringstream       text(content);
             std::vector<std::string> words;
             for (std::string word; text >> word;)

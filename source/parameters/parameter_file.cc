@@ -86,11 +86,16 @@ namespace StickSlip
               throw InputError(here() +
                                ": there is a byte of value zero; a parameter "
                                "file is plain text in UTF-8.");
-            if (line.find('\r') < line.size() - 1)
+            line                = line.substr(0, line.find('#'));
+            const int character = control_character(line);
+            if (character == '\r')
               throw InputError(here() +
                                ": there is a carriage return within the line; "
                                "lines end with a line feed.");
-            line = line.substr(0, line.find('#'));
+            if (character >= 0)
+              throw InputError(here() + ": there is the control character " +
+                               std::to_string(character) +
+                               "; a parameter file is plain text in UTF-8.");
             std::replace(line.begin(), line.end(), '\t', ' ');
             line = without_long_gaps(Utilities::trim(line));
 

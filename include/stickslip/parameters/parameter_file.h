@@ -48,7 +48,7 @@ namespace StickSlip
   };
 
   /**
-   * What a parameter file says, and those that it includes.
+   * Contents of a parameter file and of those that it includes.
    */
   struct ParameterText
   {
