@@ -30,7 +30,7 @@ namespace StickSlip
              !(byte == '\r' && i + 1 == line.size())) ||
             byte == 0x7f)
           return byte;
-        // Those of Latin-1 take two bytes.
+        // Controls of Latin-1 take two bytes.
         if (byte == 0xc2 && i + 1 < line.size() &&
             static_cast<unsigned char>(line[i + 1]) < 0xa0)
           return static_cast<unsigned char>(line[i + 1]);
