@@ -33,6 +33,20 @@ namespace
 
 
 
+  /** A message without the middle of what nobody reads to its end, such as
+   * the name of an entry of a million characters. */
+  std::string
+  shortened(const std::string &message)
+  {
+    constexpr std::size_t longest = 3000, end = 500;
+    if (message.size() <= longest)
+      return message;
+    return message.substr(0, longest - end) + " ... " +
+           message.substr(message.size() - end);
+  }
+
+
+
   template <int dim, int n_components>
   int
   simulate(const SceneParameters<dim> &scene,
@@ -59,10 +73,11 @@ namespace
       const bool         is_first_process)
   {
     SceneParameters<dim> scene;
-    carry_out_agreed(MPI_COMM_WORLD, [&]() { scene = reader.read<dim>(); });
-    refuse_too_large_meshes(scene,
-                            n_processes_on_machine(MPI_COMM_WORLD),
-                            machine_memory());
+    const unsigned int   n_on_machine = n_processes_on_machine(MPI_COMM_WORLD);
+    carry_out_agreed(MPI_COMM_WORLD, [&]() {
+      scene = reader.read<dim>();
+      refuse_too_large_meshes(scene, n_on_machine, machine_memory());
+    });
     std::string checkpoint;
     if (command_line.restart)
       checkpoint = find_checkpoint(scene, MPI_COMM_WORLD);
@@ -77,11 +92,15 @@ namespace
                                                      EarlierResults::overwrite :
                                                      EarlierResults::refuse);
     });
-    if (is_first_process)
-      report_start(scene,
-                   dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                   reader.warnings(),
-                   std::cout);
+    // Input that is refused on a coarser mesh is left to the run, which may
+    // take it, and says why if not.
+    carry_out_agreed(MPI_COMM_WORLD, [&]() {
+      if (is_first_process)
+        report_start(scene,
+                     dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                     reader.warnings(),
+                     std::cout);
+    });
     try
       {
         if constexpr (dim == 2)
@@ -109,10 +128,13 @@ namespace
                               dealii::Utilities::MPI::n_mpi_processes(
                                 MPI_COMM_WORLD),
                               machine_memory());
-      report_start(scene,
-                   dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                   reader.warnings(),
-                   std::cout);
+      const std::string refusal =
+        report_start(scene,
+                     dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                     reader.warnings(),
+                     std::cout);
+      if (!refusal.empty())
+        throw InputError(reader.with_origin(refusal));
       report_meshes(scene, std::cout);
       write_mesh_pictures(scene, scene.output.directory);
       std::cout << "The meshes are in " << scene.output.directory
@@ -137,15 +159,25 @@ namespace
 
 
 
-  int
-  check(const std::string &file,
-        const CommandLine &command_line,
-        const bool         is_first_process)
+  /** The reader of a file, the same on all processes. */
+  std::unique_ptr<SceneReader>
+  open_scene(const std::string &file, const CommandLine &command_line)
   {
     std::unique_ptr<SceneReader> reader;
     carry_out_agreed(MPI_COMM_WORLD, [&]() {
       reader = std::make_unique<SceneReader>(file, command_line.overrides);
     });
+    return reader;
+  }
+
+
+
+  int
+  check(const std::string &file,
+        const CommandLine &command_line,
+        const bool         is_first_process)
+  {
+    const auto reader = open_scene(file, command_line);
     return reader->dimension() == 2 ? check<2>(*reader, is_first_process) :
                                       check<3>(*reader, is_first_process);
   }
@@ -175,8 +207,8 @@ namespace
           {
             status = 1;
             if (is_first_process)
-              std::cerr << "stickslip: " << file << ": " << sentence(error)
-                        << std::endl;
+              std::cerr << "stickslip: " << file << ": "
+                        << shortened(sentence(error)) << std::endl;
           }
       }
     return status;
@@ -206,12 +238,8 @@ namespace
         case CommandLine::Task::print_parameters:
         case CommandLine::Task::run:
           {
-            std::unique_ptr<SceneReader> reader;
-            carry_out_agreed(MPI_COMM_WORLD, [&]() {
-              reader =
-                std::make_unique<SceneReader>(command_line.parameter_file,
-                                              command_line.overrides);
-            });
+            const auto reader =
+              open_scene(command_line.parameter_file, command_line);
             if (command_line.task == CommandLine::Task::print_parameters)
               return reader->dimension() == 2 ?
                        print_parameters<2>(*reader, may_print) :
@@ -244,13 +272,13 @@ main(int argc, char *argv[])
     {
       // All processes read the same input.
       if (rank == 0)
-        std::cerr << "stickslip: " << error.what() << std::endl;
+        std::cerr << "stickslip: " << shortened(error.what()) << std::endl;
       return 1;
     }
   catch (const AgreedFailure &error)
     {
       if (rank == 0)
-        std::cerr << "stickslip: " << error.what() << std::endl;
+        std::cerr << "stickslip: " << shortened(error.what()) << std::endl;
       return 1;
     }
   catch (const std::exception &error)
@@ -259,7 +287,7 @@ main(int argc, char *argv[])
       // this one does, the others must be stopped.
       if (rank != 0)
         std::this_thread::sleep_for(std::chrono::seconds(2));
-      std::cerr << "stickslip: " << sentence(error) << std::endl;
+      std::cerr << "stickslip: " << shortened(sentence(error)) << std::endl;
       if (is_parallel)
         MPI_Abort(MPI_COMM_WORLD, 1);
       return 1;

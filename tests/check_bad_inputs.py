@@ -141,6 +141,8 @@ class Case:
         changes, more_lines, self.path = {}, [], None
         for edit in (e.strip(" ") for e in columns[1].split(" ; ")):
             edit = edit.encode("utf-8").replace(b"\\0", b"\0").replace(b"\\t", b"\t")
+            edit = edit.replace(b"\\r", b"\r").replace(b"\\x1b", b"\x1b")
+            edit = edit.replace(b"\\x85", "\x85".encode("utf-8"))
             edit = edit.decode("utf-8")
             if edit.startswith("- "):
                 changes[edit[2:].strip()] = None
@@ -270,6 +272,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "elsewhere.txt").write_text("x\n5 0.01\n6 0.01\n")
+        (folder / "with_zero.txt").write_text("x\n0 \0\n1 2\n")
+        (folder / "in_km.txt").write_text("x value (km)\n-1 1\n1 2\n")
         (folder / "file").write_text("")
         (folder / "results").mkdir()
         (folder / "results" / "events.csv").write_text("of another run\n")

@@ -214,6 +214,43 @@ def check_lost_folder():
                        "a folder that vanishes")
 
 
+def give_to(user, path):
+    """Let a folder and all in it belong to a user."""
+    for item in [path, *path.rglob("*")]:
+        os.chown(item, user, user)
+
+
+def check_read_only_folder():
+    with Folder() as folder:
+        # Permissions mean nothing to root, who runs the program as nobody.
+        nobody, options = 65534, {}
+        if os.geteuid() == 0:
+            options = {"user": nobody, "group": nobody, "extra_groups": []}
+            give_to(nobody, folder.path)
+        environment = {**os.environ, "HOME": str(folder.path)}
+        folder.output.mkdir(parents=True)
+        if options:
+            give_to(nobody, folder.path)
+        folder.output.chmod(0o555)
+        answer = folder.run("scene.prm", *SHORT, env=environment, **options)
+        expect_refused(answer, "output/scene", "a folder that is read-only")
+        expect(not list(folder.output.iterdir()), "a read-only folder has files")
+
+        # One that becomes so while a run is writing.
+        folder.output.chmod(0o755)
+        process = folder.start("scene.prm", *LONG, env=environment, **options)
+        folder.wait_for_rows()
+        folder.output.chmod(0o555)
+        _, errors = process.communicate(timeout=60)
+        expect_refused((process.returncode, "", errors), "cannot be written",
+                       "a folder that becomes read-only")
+        expect("output/scene" in errors, f"no name of a file: {errors}")
+        expect(folder.table()[-1:] == "\n", "half a row in a read-only folder")
+        sets = [p for p in folder.output.glob("*.vtu") if p.stat().st_size == 0]
+        expect(not sets, f"empty files in a read-only folder: {sets}")
+        folder.output.chmod(0o755)
+
+
 def check_full_disk():
     # Only root can make a small one.
     if os.geteuid() != 0:

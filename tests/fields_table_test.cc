@@ -151,6 +151,35 @@ TEST(GridTable, InterpolatesATrilinearFunctionExactly)
 
 
 
+TEST(GridTable, TheFirstLineMayHaveUnits)
+{
+  const TemporaryFolder folder;
+  const GridTable       table(
+    folder.write("t.txt",
+                 "# layers\n x(km)  y (m) value ( kPa ) # of the top\n"
+                       "0.1 1 7\n0.1 2 8\n4.1 1 9\n4.1 2 10\n"));
+  EXPECT_EQ(table.unit(), "kPa");
+  // Exactly as numbers with a unit.
+  EXPECT_EQ(table.value(Point<2>(100., 1.)), 7e3);
+  EXPECT_EQ(table.value(Point<2>(4100., 2.)), 10e3);
+  EXPECT_DOUBLE_EQ(table.value(Point<2>(2100., 1.5)), 8.5e3);
+
+  const GridTable plain(folder.write("p.txt", "x value\n1 10\n2 20\n"));
+  EXPECT_EQ(plain.unit(), "");
+  EXPECT_EQ(plain.value(Point<2>(2., 0.)), 20.);
+
+  expect_table_error("x (GPa)\n0 1\n1 2\n",
+                     {"line 1", "'GPa' is a unit of something else", "km"});
+  expect_table_error("x (kmm)\n0 1\n1 2\n", {"line 1", "'kmm' is no unit"});
+  expect_table_error("x value (m^)\n0 1\n1 2\n", {"'m^' is no unit"});
+  expect_table_error("value x\n0 1\n1 2\n", {"'value' is no coordinate"});
+  expect_table_error("x value y\n0 1 1\n", {"'y' stands behind 'value'"});
+  expect_table_error("x (km\n0 1\n1 2\n", {"line 1", "cannot be read"});
+  expect_table_error("(km) x\n0 1\n1 2\n", {"line 1", "cannot be read"});
+}
+
+
+
 TEST(GridTable, MistakesAreNamedWithFileAndLine)
 {
   expect_one_sentence_with(message_of(
@@ -248,7 +277,14 @@ TEST(SpatialField, MistakesNameEntryValueAndPosition)
                            {"name of a file"});
 
   const TemporaryFolder folder;
-  const SpatialField    table =
+  const std::string file = folder.write("u.txt", "x value (km)\n0 1\n1 2\n");
+  expect_one_sentence_with(
+    message_of([&]() { make_field("table " + file, NumberRange().in("Pa")); }),
+    {"u.txt", "'km' is a unit of something else", "GPa"});
+  EXPECT_EQ(make_field("table " + file, NumberRange().in("m"))
+              .values<2>({Point<2>(0.5, 0.)}, "S"),
+            (std::vector<double>{1500.}));
+  const SpatialField table =
     make_field("table " + folder.write("t.txt", "z\n0 1\n1 2\n"));
   expect_one_sentence_with(message_of([&]() { table.values(points, "S"); }),
                            {"'S/a' = 'table ", "depends on z", "x and y"});

@@ -5,6 +5,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/entries.h>
 #include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/expression_units.h>
 #include <stickslip/parameters/point_list.h>
 #include <stickslip/parameters/units.h>
 
@@ -174,4 +175,88 @@ TEST(AutomaticNumber, IsWrittenAndReadAsAWord)
   prm.set("Number", std::string("auto"));
   number.derive(3.);
   EXPECT_EQ(number, 3.);
+}
+
+
+
+namespace
+{
+  std::string
+  mistake(const std::string &expression, const std::string &unit = "Pa")
+  {
+    const auto of_entry = read_unit(unit);
+    return mistake_in_units(expression,
+                            of_entry ? of_entry->dimensions : Dimensions(),
+                            "!");
+  }
+} // namespace
+
+
+
+TEST(UnitsInExpressions, ThoseThatFitAreTaken)
+{
+  for (const char *text : {"30 GPa",
+                           "if(x < 5 km, 30 GPa, 40 GPa)",
+                           "x < 5 km ? 30 GPa : 40e9",
+                           "30 GPa + 1e4 * (x - 5 km)",
+                           "26e3 * (5 km - y)",
+                           "2670 * 9.81 * (1 km - y)",
+                           "(26 MPa / (1 km)) * (5 km - y)",
+                           "30 GPa * exp(-(x / 5 km)^2)",
+                           "30 GPa * (1 + 0.1 * sin(2 * pi * x / (3 km)))",
+                           "(x > 5 km) * 30 GPa + (x <= 5 km) * 40 GPa",
+                           "(x > 1 km && y < 2 m) * 30 GPa",
+                           "max(30 GPa, 1e9 * x, 2 bar)",
+                           "-1 * (x - 5 km) kPa",
+                           "1e-3 * x MPa",
+                           "sqrt((30 GPa) * (1 Pa))",
+                           "(1 kg) / ((2 m) * (3 s) * (4 s))",
+                           "abs(-3 MPa) + avg(1 Pa, 2 Pa)",
+                           "if((x-1 km)^2 + y^2 < (3 km)^2, 1 GPa, 2 GPa)",
+                           "1e9 * 3 km",
+                           "1e10"})
+    EXPECT_EQ(mistake(text), "") << text;
+  EXPECT_EQ(mistake("35 mm/yr", "m/s"), "");
+  EXPECT_EQ(mistake("(3 km) / (2 s)", "m/s"), "");
+  EXPECT_EQ(mistake("0.3 m/s * sin(t / 5)", "m/s"), "");
+  EXPECT_EQ(mistake("if(t < 5 yr, 1, 2)", "m/s"), "");
+  EXPECT_EQ(mistake("if(abs(x) < 5 km, 0.01, 0.02)", ""), "");
+  EXPECT_EQ(mistake("(3 km) / (2 m)", ""), "");
+  EXPECT_EQ(mistake("(x - 1 km)^2 + y^2 < (3 km)^2", ""), "");
+  EXPECT_EQ(mistake_in_units("abs(x) - 5 km", {}, ""), "");
+}
+
+
+
+TEST(UnitsInExpressions, OthersAreRefused)
+{
+  const auto expect = [](const std::string &text,
+                         const std::string &words,
+                         const std::string &unit = "Pa") {
+    EXPECT_NE(mistake(text, unit).find(words), std::string::npos)
+      << text << ": " << mistake(text, unit);
+  };
+  expect("if(x < 5 km, 30 GPa, 2 km)", "in Pa and in m cannot be added");
+  expect("if(x < 5 km, 3 m, 2 km)", "values are in m!");
+  expect("x < 5 km ? 30 GPa : 2 km", "values are in m!");
+  expect("x < 5 km ? 2 km : 30 GPa", "values are in m!");
+  expect("x < 5 MPa", "in m and in Pa");
+  expect("if(t < 5 km, 1, 2)", "in s and in m");
+  expect("30 GPa + 5 km", "in Pa and in m");
+  expect("30 GPa + x", "in Pa and in m");
+  expect("30 GPa * (x - 5 km)", "values are in kg s^-2!");
+  expect("(30 GPa) * (1 km)", "values are in kg s^-2!");
+  expect("max(1 GPa, 2 km, 3)", "in Pa and in m");
+  expect("1e9 + 5 km", "values are in m!");
+  expect("-(5 km)", "values are in m!");
+  expect("(x > 5 km) * 3 km", "values are in m!");
+  expect("sqrt((3 m) * (2 m))", "values are in m!");
+  expect("exp(5 km) * 1 GPa", "takes a number without a unit");
+  expect("sin(30 deg) * 1 GPa", "without a unit has one in degrees");
+  expect("30 GPa * 2^(3 m)", "without a unit");
+  expect("9.81 m/s^2 * 2", "power of the unit 'm/s'");
+  expect("2 km ^ 2", "power of the unit 'km'");
+  expect("35 mm/yr", "values are in m/s!");
+  expect("(5 km)", "values are in m!", "");
+  expect("if(x>0, 5 s, 1)", "values are in s!", "m/s");
 }

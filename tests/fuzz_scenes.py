@@ -7,8 +7,8 @@ Usage: fuzz_scenes.py PROGRAM SCENES SECONDS [SEED]
 
 Changes copies of the scenes in the folder SCENES at random, lines, words, numbers and
 bytes, and lets the program check them (`stickslip --check FILE...`), many in one
-start, for so many seconds. Reported are crashes, more than ten seconds for one scene,
-messages that are not one line, and those with text of a library. What is found is
+start, for so many seconds. Reported are crashes, more than ten seconds of processor
+time for one scene, messages that are not one line, and those with text of a library. What is found is
 kept in the folder fuzz_findings. Returns 1 if there is anything.
 """
 
@@ -16,6 +16,7 @@ import os
 import pathlib
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -82,6 +83,11 @@ def suspicious(line):
     )
 
 
+def limit_time(seconds):
+    """Let the program end after so many seconds of processor time."""
+    resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds)))
+
+
 def check(program, folder, names):
     """Status, what stands in the way of a good answer, and its text."""
     try:
@@ -91,13 +97,15 @@ def check(program, folder, names):
             capture_output=True,
             text=True,
             errors="replace",
-            timeout=LONGEST * len(names) + 5,
+            preexec_fn=lambda: limit_time(LONGEST * len(names) + 5),
+            # The machine may have much else to do.
+            timeout=20 * LONGEST * len(names),
         )
     except subprocess.TimeoutExpired:
         return "no answer in time", ""
     if run.returncode not in (0, 1):
         return f"status {run.returncode}", run.stdout[-500:] + run.stderr[-3000:]
-    for line in run.stderr.splitlines() + re.findall("^Warning: .*", run.stdout, re.M):
+    for line in re.findall("[^\n]+", run.stderr) + re.findall("^Warning: .*", run.stdout, re.M):
         if not line.startswith(("stickslip: ", "Warning: ")):
             return "a line that is no message", line
         if suspicious(line):

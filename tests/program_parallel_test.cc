@@ -100,6 +100,40 @@ TEST(ProgramParallel, ReportsBadInputOnce)
 
 
 
+TEST(ProgramParallel, SaysOnceWhyAStartIsRefused)
+{
+  const TemporaryFolder folder;
+  folder.write("scene.prm", scene);
+  // Nothing presses the fault together, which shows on the coarser mesh of the
+  // report on the first process too.
+  const std::string arguments =
+    " scene.prm --set 'Faults/fault/Normal stress=initial equilibrium'";
+  const std::string words = "nothing presses this fault together";
+  for (const std::string &command : {program(), parallel_program(3)})
+    for (const std::string option : {"", " --check"})
+      {
+        const Outcome outcome =
+          run_command(folder, command + arguments + option + " --overwrite");
+        EXPECT_EQ(outcome.exit_status, 1) << command << option;
+        EXPECT_EQ(
+          outcome.errors.rfind("stickslip: 'Faults/fault/Normal stress' = "
+                               "'initial equilibrium' (--set): " +
+                                 words,
+                               0),
+          0u)
+          << outcome.errors;
+        EXPECT_EQ(
+          std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+          << outcome.errors;
+        EXPECT_EQ(outcome.output.find(words), std::string::npos)
+          << outcome.output;
+        EXPECT_NE(outcome.output.find("Meshes: "), std::string::npos)
+          << outcome.output;
+      }
+}
+
+
+
 TEST(ProgramParallel, WhatIsForOneProcessSaysSo)
 {
   const TemporaryFolder folder;

@@ -63,7 +63,7 @@ namespace StickSlip
         add_field(prm,
                   "Where",
                   region.where,
-                  NumberRange(),
+                  NumberRange().in_any_unit(),
                   "The region is where this is greater than 0, as in 'abs(x) < "
                   "1', x in m. Where several are, the last named counts.");
         region.friction.add_parameters(prm, dim);

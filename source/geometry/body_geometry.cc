@@ -213,7 +213,7 @@ namespace StickSlip
     add_field(prm,
               "Refine where",
               refine_where,
-              NumberRange(),
+              NumberRange().in_any_unit(),
               "The passes halve the cells that touch a fault where this is "
               "greater than 0, as in 'y + 36e3'.");
   }

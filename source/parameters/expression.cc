@@ -4,6 +4,7 @@
 #include <muParser.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/expression.h>
+#include <stickslip/parameters/expression_text.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/units.h>
 
@@ -71,10 +72,6 @@ namespace StickSlip
       (define(unit, &in_unit<unit>), ...);
     }
 
-    constexpr std::size_t most_units = 64;
-
-
-
     // muParser takes "0,5" for two values and returns the last one.
     bool
     has_several_values(const std::string &expression)
@@ -91,14 +88,12 @@ namespace StickSlip
 
 
 
-    // muParser wants the parenthesis of a function next to its name. Moved
-    // there, it leaves all other characters in their place.
-    std::string
-    without_space_after_names(const std::string &expression)
+    // muParser takes "x = 5" for a new value of x.
+    bool
+    has_assignment(const std::string &expression)
     {
-      static const std::regex name_and_spaces("([A-Za-z_][A-Za-z0-9_]*)"
-                                              "([ \t]+)\\(");
-      return std::regex_replace(expression, name_and_spaces, "$1($2");
+      static const std::regex one_sign("(^|[^<>=!])=([^=]|$)");
+      return std::regex_search(expression, one_sign);
     }
 
 
@@ -142,6 +137,8 @@ namespace StickSlip
         throw error("more than one value");
       if (expression.empty())
         throw error("it is empty");
+      if (has_assignment(expression))
+        throw error("'=' assigns a value; '==' compares two");
       try
         {
           parser.DefineConst("pi", numbers::PI);

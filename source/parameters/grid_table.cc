@@ -7,11 +7,14 @@
 #include <stickslip/base/make_set.h>
 #include <stickslip/parameters/grid_table.h>
 #include <stickslip/parameters/number_range.h>
+#include <stickslip/parameters/text_file.h>
+#include <stickslip/parameters/units.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <regex>
 #include <sstream>
 
 namespace StickSlip
@@ -39,6 +42,9 @@ namespace StickSlip
       std::vector<unsigned int> axes;
       std::vector<Row>          rows;
 
+      /** Units of the columns, empty for those of SI. */
+      std::vector<std::string> units;
+
       explicit TableText(const std::string &name)
         : file_name(name)
       {
@@ -53,14 +59,21 @@ namespace StickSlip
         for (std::string line; std::getline(file, line);)
           {
             ++number;
-            std::istringstream       text(line.substr(0, line.find('#')));
+            remove_byte_order_mark(line, number);
+            const std::string content   = line.substr(0, line.find('#'));
+            const int         character = control_character(content);
+            if (character >= 0 && character != '\r')
+              fail(number,
+                   "there is the control character " +
+                     std::to_string(character) + "; a table is plain text");
+            std::istringstream       text(content);
             std::vector<std::string> words;
             for (std::string word; text >> word;)
               words.push_back(word);
             if (words.empty())
               continue;
             if (axes.empty())
-              read_header(words, number);
+              read_header(content, number);
             else
               read_row(words, number);
           }
@@ -84,22 +97,66 @@ namespace StickSlip
       }
 
       void
-      read_header(const std::vector<std::string> &words,
-                  const unsigned int              line)
+      read_header(const std::string &text, const unsigned int line)
       {
-        for (const std::string &word : words)
+        // A name, and perhaps a unit in parentheses behind it.
+        static const std::regex column(
+          "\\s*([^\\s()]+)\\s*(?:\\(\\s*([^()]*[^()\\s])\\s*\\)\\s*)?");
+        bool has_value = false;
+        auto rest      = text.begin();
+        while (rest != text.end())
           {
-            const std::size_t axis = axis_names.find(word);
-            if (word.size() != 1 || axis == std::string::npos)
-              fail(
-                line,
-                "'" + word +
-                  "' is no coordinate; the first line that is no comment must "
-                  "name those of the table, one to three of x, y and z");
-            if (std::find(axes.begin(), axes.end(), axis) != axes.end())
-              fail(line, "the coordinate " + word + " is named twice");
-            axes.push_back(axis);
+            std::smatch match;
+            if (!std::regex_search(rest,
+                                   text.end(),
+                                   match,
+                                   column,
+                                   std::regex_constants::match_continuous))
+              fail(line,
+                   "'" + std::string(rest, text.end()) +
+                     "' cannot be read; a name may be followed by a unit in "
+                     "parentheses, as in 'x (km)'");
+            rest                   = match[0].second;
+            const std::string name = match[1], unit = match[2];
+            const std::size_t axis = axis_names.find(name);
+            if (has_value)
+              fail(line, "'" + name + "' stands behind 'value', which is last");
+            has_value = name == "value" && !axes.empty();
+            if (!has_value)
+              {
+                if (name.size() != 1 || axis == std::string::npos)
+                  fail(line,
+                       "'" + name +
+                         "' is no coordinate; the first line that is no "
+                         "comment must name those of the table, one to three "
+                         "of x, y and z");
+                if (std::find(axes.begin(), axes.end(), axis) != axes.end())
+                  fail(line, "the coordinate " + name + " is named twice");
+                axes.push_back(axis);
+              }
+            check_unit(unit, has_value ? "" : "m", line);
+            units.push_back(unit);
           }
+        units.resize(axes.size() + 1);
+      }
+
+      /** Fail if a text is not empty and no unit, or none of the dimensions of
+       * @p fitting, if that is not empty. */
+      void
+      check_unit(const std::string &unit,
+                 const std::string &fitting,
+                 const unsigned int line) const
+      {
+        if (unit.empty())
+          return;
+        if (!read_unit(unit))
+          fail(line, "'" + unit + "' is no unit");
+        const std::string mistake =
+          fitting.empty() ?
+            "" :
+            NumberRange().in(fitting).mistaken_unit("1 " + unit);
+        if (!mistake.empty())
+          fail(line, mistake);
       }
 
       void
@@ -122,7 +179,8 @@ namespace StickSlip
           {
             if (!NumberRange().match(words[i]))
               fail(line, "'" + words[i] + "' is not a number");
-            const double number = NumberRange::values(words[i]).front();
+            const double number =
+              NumberRange::values(words[i] + " " + units[i]).front();
             (i < axes.size() ? row.position[i] : row.value) = number;
           }
         rows.push_back(row);
@@ -245,7 +303,8 @@ namespace StickSlip
     TableText  table(file_name);
     const auto coordinates = coordinates_of(table);
     sort_to_grid(table, coordinates);
-    column_axes = table.axes;
+    column_axes    = table.axes;
+    unit_of_values = table.units.back();
     for (unsigned int i = 0; i < column_axes.size(); ++i)
       ends.emplace_back(coordinates[i].front(), coordinates[i].back());
     interpolation =

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <stickslip/parameters/expression_units.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/units.h>
 
@@ -63,9 +64,7 @@ namespace StickSlip
   std::string
   NumberRange::mistaken_unit(const std::string &text) const
   {
-    const std::string fitting = unit.empty() || !read_unit(unit) ?
-                                  "; there is no unit here" :
-                                  "; units that fit are " + units_like(unit);
+    const std::string fitting = fitting_units();
     for (const std::string &item : Utilities::split_string_list(text))
       {
         const std::string word = unknown_unit(item);
@@ -77,6 +76,30 @@ namespace StickSlip
                  fitting;
       }
     return "";
+  }
+
+
+
+  std::string
+  NumberRange::mistaken_unit_in_expression(const std::string &expression) const
+  {
+    std::optional<Dimensions> wanted;
+    if (!unit_is_open)
+      {
+        const std::optional<Unit> of_range = read_unit(unit);
+        wanted = of_range ? of_range->dimensions : Dimensions();
+      }
+    return mistake_in_units(expression, wanted, fitting_units());
+  }
+
+
+
+  std::string
+  NumberRange::fitting_units() const
+  {
+    return unit.empty() || !read_unit(unit) ?
+             "; there is no unit here" :
+             "; units that fit are " + units_like(unit);
   }
 
 

@@ -5,10 +5,12 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/parameters/parameter_file.h>
+#include <stickslip/parameters/text_file.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 namespace StickSlip
@@ -64,7 +66,7 @@ namespace StickSlip
         , depth(depth)
       {}
 
-      std::vector<Assignment>
+      ParameterText
       scan()
       {
         if (!std::filesystem::is_regular_file(file_name))
@@ -79,14 +81,21 @@ namespace StickSlip
         while (std::getline(file, line))
           {
             ++line_number;
-            // Some editors begin files with a byte order mark of UTF-8.
-            if (line_number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
-              line.erase(0, 3);
+            remove_byte_order_mark(line, line_number);
             if (line.find('\0') != std::string::npos)
               throw InputError(here() +
                                ": there is a byte of value zero; a parameter "
                                "file is plain text in UTF-8.");
-            line = line.substr(0, line.find('#'));
+            line                = line.substr(0, line.find('#'));
+            const int character = control_character(line);
+            if (character == '\r')
+              throw InputError(here() +
+                               ": there is a carriage return within the line; "
+                               "lines end with a line feed.");
+            if (character >= 0)
+              throw InputError(here() + ": there is the control character " +
+                               std::to_string(character) +
+                               "; a parameter file is plain text in UTF-8.");
             std::replace(line.begin(), line.end(), '\t', ' ');
             line = without_long_gaps(Utilities::trim(line));
 
@@ -107,7 +116,7 @@ namespace StickSlip
         if (!sections.empty())
           throw InputError(file_name + ": the subsection '" + sections.back() +
                            "' is not closed by an 'end'.");
-        return std::move(assignments);
+        return std::move(text);
       }
 
     private:
@@ -129,12 +138,19 @@ namespace StickSlip
           include(rest);
         else if ((word == "subsection" || word == "SUBSECTION") &&
                  !rest.empty())
-          sections.push_back(squeeze(rest));
+          {
+            sections.push_back(squeeze(rest));
+            is_empty    = true;
+            where_it_is = here();
+          }
         else if ((word == "end" || word == "END") && rest.empty())
           {
             if (sections.empty())
               throw InputError(
                 here() + ": 'end' closes a subsection, but none is open.");
+            if (is_empty)
+              text.empty_subsections.push_back({sections, where_it_is});
+            is_empty = false;
             sections.pop_back();
           }
         else
@@ -169,7 +185,8 @@ namespace StickSlip
                            "' is set a second time, first in line " +
                            std::to_string(earlier->second) +
                            "; each entry may be set once in a file.");
-        assignments.push_back(assignment);
+        text.assignments.push_back(assignment);
+        is_empty = false;
       }
 
       void
@@ -189,16 +206,27 @@ namespace StickSlip
         if (!std::filesystem::is_regular_file(next_to_this))
           throw InputError(here() + ": the file '" + next_to_this.string() +
                            "' to include does not exist.");
-        for (Assignment &assignment :
-             FileScanner(next_to_this.string(), depth + 1).scan())
-          assignments.push_back(std::move(assignment));
+        ParameterText included =
+          FileScanner(next_to_this.string(), depth + 1).scan();
+        std::move(included.assignments.begin(),
+                  included.assignments.end(),
+                  std::back_inserter(text.assignments));
+        std::move(included.empty_subsections.begin(),
+                  included.empty_subsections.end(),
+                  std::back_inserter(text.empty_subsections));
       }
 
-      const std::string                   file_name;
-      const unsigned int                  depth;
-      unsigned int                        line_number = 0;
-      std::vector<std::string>            sections;
-      std::vector<Assignment>             assignments;
+      const std::string        file_name;
+      const unsigned int       depth;
+      unsigned int             line_number = 0;
+      std::vector<std::string> sections;
+
+      // True if the last subsection that has begun has nothing in it so far,
+      // and its beginning.
+      bool        is_empty = false;
+      std::string where_it_is;
+
+      ParameterText                       text;
       std::map<std::string, unsigned int> line_of;
     };
   } // namespace
@@ -216,7 +244,7 @@ namespace StickSlip
 
 
 
-  std::vector<Assignment>
+  ParameterText
   read_parameter_file(const std::string &file_name)
   {
     return FileScanner(file_name, 0).scan();
@@ -237,7 +265,10 @@ namespace StickSlip
       Utilities::split_string_list(argument.substr(0, equals), '/');
     for (std::string &section : assignment.sections)
       section = squeeze(section);
-    if (assignment.sections.empty() || assignment.sections.back().empty())
+    if (assignment.sections.empty() ||
+        std::any_of(assignment.sections.begin(),
+                    assignment.sections.end(),
+                    [](const std::string &name) { return name.empty(); }))
       throw InputError("--set '" + argument +
                        "': names no entry; it must be "
                        "'Section/Subsection/Entry=value'.");

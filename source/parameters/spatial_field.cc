@@ -107,10 +107,14 @@ namespace StickSlip
       {
         if (file->empty())
           throw InputError("'table' must be followed by the name of a file.");
-        const auto new_table = std::make_shared<const GridTable>(*file);
-        *this                = 0.;
-        table                = new_table;
-        table_file           = *file;
+        const auto        new_table = std::make_shared<const GridTable>(*file);
+        const std::string mistake_in_table =
+          range.mistaken_unit("1 " + new_table->unit());
+        if (!mistake_in_table.empty())
+          throw InputError(*file + ": " + mistake_in_table + ".");
+        *this      = 0.;
+        table      = new_table;
+        table_file = *file;
       }
     else
       {
@@ -175,8 +179,13 @@ namespace StickSlip
       }
     else if (!expression.empty())
       unchecked = with_name(name, [&]() {
-        return [parsed = Expression<dim>(expression, false)](
-                 const Point<dim> &point) { return parsed.value(point); };
+        const Expression<dim> parsed(expression, false);
+        const std::string     mistake =
+          range.mistaken_unit_in_expression(expression);
+        if (!mistake.empty())
+          throw InputError(mistake);
+        return
+          [parsed](const Point<dim> &point) { return parsed.value(point); };
       });
     else
       unchecked = [number = number](const Point<dim> &) { return number; };

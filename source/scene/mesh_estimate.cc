@@ -337,7 +337,7 @@ namespace StickSlip
   {
     const double of_meshes = dim == 2 ? 0.7e3 : 1.1e3,
                  of_rest   = dim == 2 ? 4.6e3 : 22e3;
-    return n_processes * (150. * 1048576. + of_meshes * nodes) +
+    return n_processes * (175. * 1048576. + of_meshes * nodes) +
            of_rest * nodes;
   }
 

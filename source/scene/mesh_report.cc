@@ -218,7 +218,9 @@ namespace StickSlip
         const std::string name =
           directory + "/mesh_" + scene.bodies[b].name + ".vtk";
         std::ofstream file(name);
-        GridOut       grid_out;
+        if (!file)
+          throw InputError("The file '" + name + "' cannot be written.");
+        GridOut grid_out;
         grid_out.set_flags(GridOutFlags::Vtk(/*output_cells=*/true,
                                              /*output_faces=*/true,
                                              /*output_edges=*/false,

@@ -233,17 +233,22 @@ namespace StickSlip
 
 
 
-    /** Check that there is a value at each point and time. */
+    /** Check that there is a value of this unit at each point and time. */
     template <int dim>
     void
     check_expression(const std::string             &path,
                      const std::string             &expression,
+                     const NumberRange             &range,
                      const std::vector<Point<dim>> &points,
                      const std::vector<double>     &times)
     {
       try
         {
           const Expression<dim> parsed(expression, true);
+          const std::string     mistake =
+            range.mistaken_unit_in_expression(expression);
+          if (!mistake.empty())
+            throw InputError(mistake);
           for (const Point<dim> &point : points)
             for (const double time : times)
               parsed.finite_value(point, time);
@@ -466,10 +471,9 @@ namespace StickSlip
                     held.add(direction);
                   }
 
-              const std::string mistake =
-                NumberRange()
-                  .in(type == BoundaryType::traction ? "Pa" : "m/s")
-                  .mistaken_unit(expression);
+              const NumberRange range =
+                NumberRange().in(type == BoundaryType::traction ? "Pa" : "m/s");
+              const std::string mistake = range.mistaken_unit(expression);
               if (!mistake.empty())
                 throw InputError(naming(path + axis + " value", expression) +
                                  ": " + mistake + ".");
@@ -477,6 +481,7 @@ namespace StickSlip
                   type == BoundaryType::traction)
                 check_expression(path + axis + " value",
                                  expression,
+                                 range,
                                  side_points(scene, condition),
                                  {0.,
                                   0.5 * scene.time.end_time,

@@ -99,8 +99,10 @@ namespace StickSlip
   SceneReader::SceneReader(const std::string              &file_name,
                            const std::vector<std::string> &overrides)
     : file_name(file_name)
-    , assignments(read_parameter_file(file_name))
   {
+    ParameterText text = read_parameter_file(file_name);
+    assignments        = std::move(text.assignments);
+    empty_subsections  = std::move(text.empty_subsections);
     for (const std::string &argument : overrides)
       assignments.push_back(parse_override(argument));
   }
@@ -436,11 +438,14 @@ namespace StickSlip
     try
       {
         refuse_unknown_entries(assignments);
+        refuse_unknown_subsections(empty_subsections);
         // The form of lists first, then what is not in them.
         names("Bodies/Names", 1);
         for (const std::string &fault : names("Faults/Names", 1))
           names("Faults/" + fault + "/Regions/Names", 1);
-        refuse_unlisted_names(assignments, {"Bodies", "Faults"});
+        refuse_unlisted_names(assignments,
+                              empty_subsections,
+                              {"Bodies", "Faults"});
         return checked_scene<dim>();
       }
     catch (const InputError &error)
@@ -456,7 +461,9 @@ namespace StickSlip
   SceneReader::checked_scene() const
   {
     SceneParameters<dim> scene = named_scene<dim>();
-    refuse_unlisted_names(assignments, {"Boundary conditions"});
+    refuse_unlisted_names(assignments,
+                          empty_subsections,
+                          {"Boundary conditions"});
     const MeshEntries mesh_entries = scene.mesh_entries;
     {
       ParameterHandler prm;

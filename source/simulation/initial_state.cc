@@ -97,8 +97,8 @@ namespace StickSlip
                            stress.begin() + k,
                            [](const double sigma) { return sigma > 0.; }))
             throw InputError(
-              fault.section() +
-              "/Normal stress: nothing presses this fault together; it must be "
+              "'" + fault.section() +
+              "/Normal stress': nothing presses this fault together; it must be "
               "'function', or there must be gravity, a boundary traction or a "
               "background stress that does.");
         }

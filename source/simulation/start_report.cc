@@ -10,6 +10,7 @@
 #include <stickslip/problem/fault_stiffness.h>
 #include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/scene_warnings.h>
+#include <stickslip/simulation/fault_rigidity.h>
 #include <stickslip/simulation/initial_balance.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/start_report.h>
@@ -87,33 +88,20 @@ namespace StickSlip
                  const unsigned int             fault,
                  const std::vector<Point<dim>> &points)
     {
-      std::vector<double>       compliance(points.size(), 0.);
-      std::vector<unsigned int> n_sides(points.size(), 0);
-      for (const std::vector<BodySide> &side :
-           scene.topology.faults()[fault].sides)
-        for (const BodySide &part : side)
-          {
-            const BodyParameters<dim> &body = scene.bodies[part.body];
-            if (body.geometry.rigid)
-              continue;
-            const auto material = body.material.template function<dim>();
-            for (unsigned int k = 0; k < points.size(); ++k)
-              if (scene.nearest_body(side, points[k]) == part.body)
-                {
-                  const Material values =
-                    material(scene.within_body(part.body, points[k]));
-                  compliance[k] +=
-                    (scene.deformation == Deformation::plane_strain &&
-                         dim == 2 ?
-                       1. - values.poissons_ratio :
-                       1.) /
-                    values.shear_modulus();
-                  ++n_sides[k];
-                }
-          }
+      const bool in_plane =
+        scene.deformation == Deformation::plane_strain && dim == 2;
+      std::vector<double> moduli =
+        sum_over_sides(scene, fault, points, [](const Material &) {
+          return 1.;
+        });
+      const std::vector<double> compliance =
+        sum_over_sides(scene, fault, points, [&](const Material &material) {
+          return (in_plane ? 1. - material.poissons_ratio : 1.) /
+                 material.shear_modulus();
+        });
       for (unsigned int k = 0; k < points.size(); ++k)
-        compliance[k] = n_sides[k] / compliance[k];
-      return compliance;
+        moduli[k] /= compliance[k];
+      return moduli;
     }
 
 
@@ -308,10 +296,13 @@ namespace StickSlip
 
 
 
+    /** Null if the coarser mesh tells nothing; input that is refused there is
+     * said in @p refusal. */
     template <int dim>
     std::unique_ptr<FaultOutlook>
     make_outlook(const SceneParameters<dim> &scene,
-                 std::vector<std::string>   &warnings)
+                 std::vector<std::string>   &warnings,
+                 std::string                &refusal)
     {
       if (scene.faults.empty())
         return nullptr;
@@ -330,6 +321,11 @@ namespace StickSlip
                           outlook->warnings.begin(),
                           outlook->warnings.end());
           return outlook;
+        }
+      catch (const InputError &error)
+        {
+          refusal = error.what();
+          return nullptr;
         }
       catch (const std::exception &error)
         {
@@ -351,7 +347,7 @@ namespace StickSlip
 
 
   template <int dim>
-  void
+  std::string
   report_start(const SceneParameters<dim>     &scene,
                const unsigned int              n_processes,
                const std::vector<std::string> &more_warnings,
@@ -361,7 +357,8 @@ namespace StickSlip
     std::vector<std::string> warnings = more_warnings;
     for (const std::string &warning : scene_warnings(scene, meshes))
       warnings.push_back(warning);
-    const auto outlook = make_outlook(scene, warnings);
+    std::string refusal;
+    const auto  outlook = make_outlook(scene, warnings, refusal);
 
     out << "Meshes: " << plural(scene.bodies.size(), "body", "bodies")
         << ", about " << rounded_count(meshes.cells) << " cells, "
@@ -392,16 +389,17 @@ namespace StickSlip
     for (const std::string &warning : warnings)
       out << "Warning: " << warning << '\n';
     out << std::flush;
+    return refusal;
   }
 
 
 
-  template void
+  template std::string
   report_start(const SceneParameters<2> &,
                const unsigned int,
                const std::vector<std::string> &,
                std::ostream &);
-  template void
+  template std::string
   report_start(const SceneParameters<3> &,
                const unsigned int,
                const std::vector<std::string> &,

@@ -20,9 +20,12 @@ namespace StickSlip
    * A function of position given by its values on a grid, which a text file
    * holds: comments begin with #; the first line that is more than that names
    * the coordinates, one, two or three of x, y and z; each further line has a
-   * number for each of these (m) and the value there, in any order. There must
+   * number for each of these and the value there, in any order. There must
    * be one value at every combination of the coordinates that occur, and at
    * least two of each.
+   *
+   * Numbers are in SI units where the line with the names has no other ones in
+   * parentheses: "x (km) y (km) value (GPa)".
    *
    * In between, the function is linear along each coordinate; beyond the ends
    * it goes on with the values there; it does not depend on coordinates that
@@ -46,8 +49,15 @@ namespace StickSlip
       return column_axes;
     }
 
+    /** The unit in which the file has the values, empty if it names none. */
+    const std::string &
+    unit() const
+    {
+      return unit_of_values;
+    }
+
     /**
-     * The value at a point. All axes() must be less than @p dim.
+     * The value at a point, in SI units. All axes() must be less than @p dim.
      */
     template <int dim>
     double
@@ -63,6 +73,7 @@ namespace StickSlip
 
   private:
     std::vector<unsigned int> column_axes;
+    std::string               unit_of_values;
 
     /** The ends of the grid along the coordinates in the order of the file. */
     std::vector<std::pair<double, double>> ends;

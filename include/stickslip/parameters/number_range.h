@@ -80,6 +80,14 @@ namespace StickSlip
       return *this;
     }
 
+    /** Leave the unit open, where only the sign of an expression counts. */
+    NumberRange &
+    in_any_unit()
+    {
+      unit_is_open = true;
+      return *this;
+    }
+
     /** Require a list of @p n numbers. */
     NumberRange &
     times(const unsigned int n)
@@ -116,6 +124,11 @@ namespace StickSlip
     std::string
     mistaken_unit(const std::string &text) const;
 
+    /** Mistake in the units of an expression, see mistake_in_units(); empty if
+     * there is none. */
+    std::string
+    mistaken_unit_in_expression(const std::string &expression) const;
+
     /** Characters before and after the unit in description(). */
     static constexpr auto before_unit = " (in ", after_unit = ")";
 
@@ -132,11 +145,16 @@ namespace StickSlip
     contains(const double x) const;
 
   private:
+    /** The end of a message on a wrong unit. */
+    std::string
+    fitting_units() const;
+
     double       lower          = -std::numeric_limits<double>::infinity();
     double       upper          = std::numeric_limits<double>::infinity();
     bool         lower_included = false;
     bool         upper_included = false;
     bool         only_whole     = false;
+    bool         unit_is_open   = false;
     unsigned int n_numbers      = 1;
     std::string  unit;
   };

@@ -36,14 +36,36 @@ namespace StickSlip
   };
 
   /**
-   * All assignments of a parameter file in their order. The format is that of
+   * A subsection of a parameter file with nothing in it.
+   */
+  struct EmptySubsection
+  {
+    /** Names of the nested subsections, outermost first, its own last. */
+    std::vector<std::string> sections;
+
+    /** Origin, such as "a.prm, line 3". */
+    std::string origin;
+  };
+
+  /**
+   * Contents of a parameter file and of those that it includes.
+   */
+  struct ParameterText
+  {
+    std::vector<Assignment>      assignments;
+    std::vector<EmptySubsection> empty_subsections;
+  };
+
+  /**
+   * All assignments of a parameter file in their order, and its empty
+   * subsections. The format is that of
    * ParameterHandler, with two differences: the file of an `include` line is
    * looked for next to the file that includes it, and setting an entry twice in
    * one file is an error (an including file may override the included one).
    *
    * Throws InputError naming file and line.
    */
-  std::vector<Assignment>
+  ParameterText
   read_parameter_file(const std::string &file_name);
 
   /**

@@ -20,13 +20,22 @@ namespace StickSlip
   refuse_unknown_entries(const std::vector<Assignment> &assignments);
 
   /**
-   * Throw InputError if there is an entry in the subsection of a body, fault,
-   * region or side that is not in the list of these: it would have no effect.
-   * @p top_sections: 'Bodies', 'Faults' or 'Boundary conditions'.
+   * Throw InputError if no scene has a subsection like one of those with
+   * nothing in them, with the nearest one that there is.
    */
   void
-  refuse_unlisted_names(const std::vector<Assignment>  &assignments,
-                        const std::vector<std::string> &top_sections);
+  refuse_unknown_subsections(const std::vector<EmptySubsection> &subsections);
+
+  /**
+   * Throw InputError if there is an entry in the subsection of a body, fault,
+   * region or side that is not in the list of these: it would have no effect;
+   * or if there is such a subsection with nothing in it. @p top_sections:
+   * 'Bodies', 'Faults' or 'Boundary conditions'.
+   */
+  void
+  refuse_unlisted_names(const std::vector<Assignment>      &assignments,
+                        const std::vector<EmptySubsection> &empty_subsections,
+                        const std::vector<std::string>     &top_sections);
 
   /**
    * The candidate that takes the fewest characters inserted, removed or

@@ -119,8 +119,9 @@ namespace StickSlip
     named_side(const std::string          &name,
                const SceneParameters<dim> &scene) const;
 
-    std::string             file_name;
-    std::vector<Assignment> assignments;
+    std::string                  file_name;
+    std::vector<Assignment>      assignments;
+    std::vector<EmptySubsection> empty_subsections;
   };
 } // namespace StickSlip
 

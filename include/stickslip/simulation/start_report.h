@@ -24,9 +24,12 @@ namespace StickSlip
    * larger than that. Not collective: for one process, while others wait.
    *
    * @param more_warnings are printed first.
+   *
+   * @return the sentence of an InputError with which the coarser mesh is
+   * refused, of which nothing is printed; empty if it is not.
    */
   template <int dim>
-  void
+  std::string
   report_start(const SceneParameters<dim>     &scene,
                const unsigned int              n_processes,
                const std::vector<std::string> &more_warnings,
