@@ -32,6 +32,7 @@ namespace StickSlip::Tests
     EXPECT_TRUE(std::filesystem::exists(path)) << path;
     return "env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl=^tcp "
+           "${ASAN_OPTIONS:+ASAN_OPTIONS=\"$ASAN_OPTIONS\"} "
            "PRTE_MCA_odls_base_sigkill_timeout=30 " +
            launcher + " '" + path + "'";
   }
