@@ -168,6 +168,14 @@ namespace StickSlip
       on_faults += std::abs(b.local_element(position));
     if (!(scratch.l1_norm() <= negligible * on_faults))
       {
+        // Values that are not in balance may be large and wrong: none of them
+        // is kept but the fixed ones.
+        scratch = w;
+        operators.unknowns().fixed.apply(scratch);
+        base -= scratch;
+        operators.matrix().residual(load, b, base);
+        scratch = load;
+        restrict_to_eliminated(scratch);
         condensed_operators.front().condensed.solve_eliminated(bulk, scratch);
         restrict_to_eliminated(bulk);
         base += bulk;
