@@ -26,8 +26,10 @@ HEAVY_HEADERS = re.compile(
     re.MULTILINE,
 )
 
-COMMENT = re.compile(r"/\*\*?\s*(?:\*\s*)?(\w+ \w+)|(?<!/)//\s*(\w+ \w+)")
-NO_NOUN = re.compile(r"(Those|Which|Whether|What|Where|That of|The same|As if|So that)\b")
+COMMENT = re.compile(r"/\*\*?\s*(?:\*\s*)?(\w+(?: \w+)?)|(?<!/)//\s*(\w+(?: \w+)?)")
+NO_NOUN = re.compile(
+    r"(Those|Which|Whether|What|Where|When|How|That|The same|As if|So that|It|They)\b"
+)
 
 
 def check_comments(relative, text):
@@ -59,7 +61,7 @@ def check_file(path, project):
     if len(lines) > MAX_LINES:
         yield f"{relative}: {len(lines)} lines, more than {MAX_LINES}"
 
-    if relative.parts[0] in ("include", "source"):
+    if path.suffix in (".h", ".cc"):
         yield from check_comments(relative, text)
 
     if path.suffix == ".h" and relative.parts[0] == "include":
@@ -84,7 +86,7 @@ def source_files(project):
         "include": ("*.h",),
         "source": ("*.cc", "*.h"),
         "tests": ("*.cc", "*.h", "*.py", "CMakeLists.txt"),
-        "contrib": ("*.py",),
+        "contrib": ("*.h", "*.cc", "*.py"),
     }
     files = {project / "CMakeLists.txt"}
     for folder, names in patterns.items():

@@ -144,7 +144,8 @@ namespace
       newton.minimise(curves, start);
     ASSERT_TRUE(reference.converged);
 
-    // The same by TNNMG, whose functional has its nodes in ascending order.
+    // TNNMG solves the same problem, whose functional has its nodes in
+    // ascending order.
     const std::vector<unsigned int> &nodes =
       problem.jump_basis().contact_nodes();
     for (const unsigned int node : nodes)

@@ -147,7 +147,7 @@ namespace StickSlip::Tests
       return std::cbrt(3 * load * radius / (4 * modulus));
     }
 
-    /** How far distant points of both bodies approach each other, m. */
+    /** Distance by which remote points of both bodies approach, m. */
     double
     approach() const
     {

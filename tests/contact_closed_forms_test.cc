@@ -34,8 +34,8 @@ namespace
 
 
 
-  /** How far the surface of a half-plane sinks at x below what it does at the
-   * centre, under a pressure on |x| < a (Johnson 1985, section 2.8). */
+  /** Depth of the surface of a half-plane at x below that at the centre, m,
+   * under a pressure on |x| < a (Johnson 1985, section 2.8). */
   double
   sinks_below_centre(const std::function<double(double)> &pressure,
                      const double                         a,
@@ -54,9 +54,9 @@ namespace
 
 
 
-  /** How far the surface of a half-space sinks at the distance r from the axis
-   * of a pressure on a circle of radius a: in polar coordinates around the
-   * point (Boussinesq). */
+  /** Depth to which the surface of a half-space sinks at the distance r from
+   * the axis of a pressure on a circle of radius a: in polar coordinates around
+   * the point (Boussinesq). */
   double
   sinks(const std::function<double(double)> &pressure,
         const double                         a,

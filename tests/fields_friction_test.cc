@@ -160,7 +160,7 @@ TEST(FrictionFields, SteadySlidingOfAWeakeningPatchHasTheFrictionOfEachPart)
   for (const auto node : level.surface(/*fault=*/0, /*side=*/0).nodes)
     on_top += forces.local_element(2 * node);
   EXPECT_NEAR(std::abs(on_top), force, 1e-5 * force);
-  // It is not that of one law.
+  // One law alone has another one.
   EXPECT_GT(std::abs(force - sigma * area * mu_0), 1e-3 * force);
 }
 

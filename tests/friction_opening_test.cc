@@ -125,7 +125,7 @@ TYPED_TEST(FaultOpeningTest, MinimiserBalancesForcesInHighPrecision)
                   EXPECT_EQ(v[c], start[c]);
                 }
 
-            // Where the sides touch, the normal component is given.
+            // Sides that touch have a given normal component.
             const bool            touches = friction.is_at_bound(k, v, n);
             std::array<bool, dim> free    = active;
             Tensor<1, dim>        load    = r;

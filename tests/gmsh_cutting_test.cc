@@ -265,7 +265,7 @@ TEST(FaultCutting, Slit)
 {
   const auto mesh = read<2>("slit.msh", {"block"});
   const auto cut  = cut_at_faults(mesh, {{"main", "slit", {}}});
-  // The same body on both sides: the normal points upwards.
+  // One body on both sides: the normal points upwards.
   expect_near(check_cut(cut, {4.})[0], Tensor<1, 2>({0., 1.}));
   ASSERT_EQ(cut.tips.size(), 2u);
   for (const auto &tip : cut.tips)

@@ -119,7 +119,7 @@ TEST(ContactPressure, CarriesTheWeightAtAnyOverlap)
     }
   EXPECT_GT(checks, 100u);
   EXPECT_GT(simulation.counts().contact_mappings, 30u);
-  // It has slid by half of its length.
+  // The body has slid by half of its length.
   const FaultSnapshot<2> fault = snapshots(simulation).front();
   EXPECT_NEAR(mean(fault, fault.slip), 1., 0.02);
 }

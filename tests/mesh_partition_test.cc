@@ -327,7 +327,7 @@ namespace
                     unsigned int least = numbers::invalid_unsigned_int;
                     for (const auto &cell : cells_at[v])
                       for (const auto w : cell->vertex_indices())
-                        // That map has the coarse cell at a hanging node too.
+                        // The map has the coarse cell at a hanging node too.
                         if (cell->vertex_index(w) == v)
                           least =
                             std::min(least,

@@ -106,7 +106,7 @@ namespace StickSlip::Tests
 
 
 
-  /** The same with nodes of the body "east" of its own on the fault, 10 to 12,
+  /** Columns of which "east" has nodes of its own on the fault, 10 to 12,
    * where its faces are in the group "east_side". */
   inline MeshText
   two_separate_columns()

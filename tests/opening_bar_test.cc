@@ -114,7 +114,7 @@ end
 
 
 
-  /** What a bar does that bounces off, with steps of one size. */
+  /** The bounce of a bar, with steps of one size. */
   struct Bounce
   {
     /** Energy taken, over that at the start; pressure in the middle half of the
@@ -149,7 +149,7 @@ end
               p / exact.pressure(bar.state.time - tau / 2.) - 1.);
           n += bar.state.contact_pressure.size();
         }
-      // What the contact has taken is what is missing.
+      // The missing energy is the one that the contact has taken.
       EXPECT_NEAR(bar.total_energy() / start, 1. - loss, 1e-9);
       pressure = std::sqrt(sum / n);
     }

@@ -143,8 +143,8 @@ namespace
 
 
 
-  /** Whether the cycle is symmetric, and the same as one whose levels were made
-   * for this division of the nodes alone. */
+  /** Expect a cycle that is symmetric, and the same as one whose levels were
+   * made for this division of the nodes alone. */
   template <int dim>
   void
   expect_cycle_made_anew(const std::vector<BodyGeometry<dim>> &bodies,

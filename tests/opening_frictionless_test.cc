@@ -58,7 +58,7 @@ namespace
     const std::vector<bool> always_given = is_given;
     for (unsigned int step = 0; step < 50; ++step)
       {
-        // Where the force that holds the node at its bound presses.
+        // Nodes stay at their bounds as long as the force there presses.
         const std::vector<bool> before = is_given;
         is_given                       = always_given;
         for (const Reference::Bound &bound : bounds)

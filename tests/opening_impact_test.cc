@@ -101,7 +101,7 @@ TEST(OpeningImpact, AThrownBodyFallsAndComesToRest)
       else if (step.contact_energy.lost > 0.)
         last_impact = t;
     }
-  // It is away for 2 v / g, and a little for the gap.
+  // The block is away for 2 v / g, and a little for the gap.
   EXPECT_FALSE(flies);
   EXPECT_LT(last_impact, 1.);
   EXPECT_EQ(*std::max_element(scene.state.gap.begin(), scene.state.gap.end()),
@@ -212,7 +212,7 @@ namespace
        "Time/Inertia=" + inertia,
        "Time/Rate-state tolerance=1e-14",
        "TNNMG/Tolerance=1e-14"});
-    // The same normal stress for both, whatever the contact does.
+    // One normal stress for both, whatever the contact does.
     scene.step = std::make_unique<RateStateStep<2>>(scene.problem,
                                                     scene.faults,
                                                     scene.laws,

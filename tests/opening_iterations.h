@@ -125,8 +125,8 @@ namespace StickSlip::Tests
 
 
 
-  /** Whether faults that open take at most twice the iterations that they take
-   * if they do not. Returns the numbers of the former. */
+  /** Expect that faults that open take at most twice the iterations that they
+   * take if they do not. Returns the numbers of the former. */
   template <int dim>
   std::vector<unsigned int>
   expect_few_iterations(const std::string                    &name,

@@ -16,8 +16,8 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  /** What a run says that cannot go on; nothing of the failed steps is in its
-   * state. */
+  /** The message of a run that cannot go on; nothing of the failed steps is in
+   * its state. */
   std::string
   message_of(Simulation<2> &simulation)
   {

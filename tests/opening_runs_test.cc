@@ -51,7 +51,7 @@ namespace
 
 
 
-  /** What a run has seen, and its end. */
+  /** The extremes of a run, and its end. */
   template <int dim>
   struct BlockRun
   {
@@ -90,7 +90,7 @@ namespace
 
 
 
-  /** The same gaps and slips at the end, as a part of the largest. */
+  /** Expect equal gaps and slips at the end, as a part of the largest. */
   template <int dim>
   void
   expect_close(const BlockRun<dim> &a,

@@ -181,7 +181,8 @@ TEST(OpeningStatics, AFlatPunch)
                             flat_punch_pressure(profile.load, a, profile.x[i]) -
                           1.));
   EXPECT_GT(profile.load, 0.);
-  // Where between two nodes the edge is felt is unknown by a fifth of a cell.
+  // The place between two nodes where the edge is felt is unknown by a fifth
+  // of a cell.
   EXPECT_LE(error, 0.015);
 }
 

@@ -180,7 +180,7 @@ TEST(OpeningCatalogue, TimesAreThoseOfTheLevel)
 {
   const TemporaryFolder folder;
   constexpr double      threshold = 0.02;
-  // Where 2 s - s^2 / 2 is the level.
+  // Times at which 2 s - s^2 / 2 is the level.
   const double opens  = 1 + 2 - std::sqrt(4 - 2 * threshold),
                closes = 1 + 2 + std::sqrt(4 - threshold);
   // The gap reaches the level in the first step, and after some.
@@ -218,7 +218,7 @@ TEST(OpeningCatalogue, BouncesBelowTheLevelAreNoOpenings)
   EXPECT_EQ(catalogue.entries()[0].largest_gap, 2);
   EXPECT_DOUBLE_EQ(catalogue.entries()[0].opens, 5.1);
   EXPECT_DOUBLE_EQ(catalogue.entries()[0].closes, 11);
-  // The same node opens once more, from a gap that has not vanished.
+  // One node opens once more, from a gap that has not vanished.
   add(0.05);
   add(0.15);
   add(0.);

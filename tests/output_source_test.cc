@@ -42,7 +42,7 @@ TEST(EventSource, HasTheSizesOfACircularCrack)
     {
       const double r = 2. * a * (i + 0.5) / n;
       weights.push_back(2 * numbers::PI * r * 2. * a / n);
-      // It slips against the first axis.
+      // Slip is against the first axis.
       slip.push_back(r < a ? -0.6 * c * std::sqrt(a * a - r * r) : 0.);
       slip.push_back(r < a ? 0.8 * c * std::sqrt(a * a - r * r) : 0.);
       before.push_back(-0.6 * drop);

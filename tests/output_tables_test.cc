@@ -237,7 +237,7 @@ TEST(EventCatalogue, InterpolatesInTheLogarithmOfTheSlipRate)
   EXPECT_DOUBLE_EQ(event.peak_mean_slip_rate, 1e-2);
   EXPECT_NEAR(event.mean_slip, 7. - 2., 1e-12);
 
-  // It is in the file already.
+  // The event is in the file already.
   const std::vector<std::string> lines =
     split(content_of(folder.file("events.csv")), '\n');
   ASSERT_EQ(lines.size(), 2u);

@@ -82,8 +82,8 @@ end
 
 
 
-  /** Whether contact radius and largest pressure are those of Hertz up to this
-   * part: of the straight line between square of the distance from the axis and
+  /** Expect contact radius and largest pressure of Hertz, up to this part:
+   * those of the straight line between square of the distance from the axis and
    * square of the pressure, since nodes on the planes of symmetry are no
    * contact nodes. */
   inline void

@@ -200,7 +200,7 @@ TEST(Program, PrintsAllEntriesOfAScene)
                 "--set 'Time/End time=0.25' > all.prm && ls");
   EXPECT_EQ(printed.exit_status, 0) << printed.errors;
   EXPECT_EQ(printed.output, "all.prm\nerrors.txt\noutput.txt\nscene.prm\n");
-  // What is printed is a scene of the same entries.
+  // The printed text is a scene of the same entries.
   const Outcome again =
     run_program(folder, "all.prm --print-parameters | cmp - all.prm");
   EXPECT_EQ(again.exit_status, 0) << again.output << again.errors;

@@ -77,7 +77,7 @@ TEST(ProgramOpening, FilesOfABounceAgree)
                 "/tests/check_fault_surfaces.py' output/scene fault");
   EXPECT_EQ(surfaces.output + surfaces.errors, "");
 
-  // It is open from the start, lands, and part of it opens once more.
+  // The fault is open from the start, lands, and part of it opens once more.
   std::istringstream openings(
     content_of(folder.file("output/scene/openings.csv")));
   std::string line;
@@ -91,7 +91,8 @@ TEST(ProgramOpening, FilesOfABounceAgree)
     values.push_back(std::stod(item));
   ASSERT_EQ(values.size(), 7u);
   EXPECT_EQ(values[0], 0);
-  // It falls, and the foundation, which has been relieved, comes to meet it.
+  // The block falls, and the foundation, which has been relieved, comes to
+  // meet it.
   EXPECT_GT(values[2], 0.005);
   EXPECT_LT(values[2], std::sqrt(2 * 0.00145 / 9.81));
   EXPECT_NEAR(values[3], 0.00145, 1e-15);

@@ -109,7 +109,7 @@ TEST(SceneErrors, NearestNameIsOffered)
   expect_error(with("set b = 0.02", "set Reference slip rat = 1e-6"),
                {},
                {"line 19", "did you mean 'Faults/main/Reference slip rate'"});
-  // What is missed is there under a misspelt name.
+  // The missing entry is there under a misspelt name.
   expect_error(with("subsection Bodies\n", "subsection Bodys\n"),
                {},
                {"'Bodys/",

@@ -26,8 +26,8 @@ namespace StickSlip::Tests
                       x * std::log(slip_rate[k]));
     }
 
-    /** When the slip rate rises over twice the loading rate, having been below
-     * half of it. */
+    /** Times at which the slip rate rises over twice the loading rate, from
+     * below half of it. */
     std::vector<double>
     events(const double loading_rate) const
     {

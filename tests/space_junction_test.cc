@@ -162,7 +162,7 @@ namespace
 
 
 
-  /** How far the two bodies above are from each other, and from the one below,
+  /** Distances of the two bodies above from each other, and from the one below,
    * at the junction. */
   double
   opening(const unsigned int n_refinements)

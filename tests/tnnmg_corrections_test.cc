@@ -275,7 +275,7 @@ TEST(Corrections, WithoutOneGaussSeidelIsLeft)
 
 TEST(Corrections, NewtonWithoutSmoothing)
 {
-  // Where all of the fault slips the plain method has no difficulty.
+  // The plain method has no difficulty if all of the fault slips.
   LayeredSlider      slider({{4, 2}}, {{6, 2}}, 2);
   LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
   const NodalVector  b = slider.set_step(1e-3, 0.9 * slider.normal_stress);
@@ -366,7 +366,7 @@ TEST(Corrections, SingularMatricesAreNotSolved)
       const std::vector<Tensor<2, 2>> hessians(9);
       const NodeMask                 &active = chain.hierarchy.finest().fixed;
       EXPECT_THROW(correction->linearise(hessians, active), SingularMatrix);
-      // It is of use again after that.
+      // The correction is of use again after that.
       chain.hierarchy.operators().combine({1.});
       correction->linearise(hessians, active);
       chain.hierarchy.operators().combine({0.});

@@ -85,7 +85,7 @@ namespace
 
 
 
-  /** The same problem in the axes of space and in those of the nodes, with
+  /** Compare a problem in the axes of space and in those of the nodes, with
    * curvature at the lower side, where every third node is masked. */
   template <int dim>
   void

@@ -37,7 +37,7 @@ namespace Measure
     solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
 
   private:
-    /** Whether the present cycles serve a linearisation. */
+    /** True if the present cycles serve a linearisation. */
     bool
     is_close(const std::vector<Tensor<2, dim>> &new_hessians,
              const NodeMask                    &new_active) const;

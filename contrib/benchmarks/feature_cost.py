@@ -86,6 +86,10 @@ VARIANTS = {
     "fault that bends": {"Faults/fault/Elevation": "0.05*sin(2*pi*x/5)"},
     "normal stress follows": {"Faults/fault/Normal stress follows": "true"},
     "fault that may open (and does not)": {"Faults/fault/Contact": "unilateral"},
+    "fault that is open over 2 of 5 m": {
+        "Faults/fault/Contact": "unilateral",
+        "Faults/fault/Initial gap": "if(abs(x) < 1, 0.01, 0)",
+    },
     "lower body rigid": {
         "Bodies/lower/Rigid": "true", "Faults/fault/Normal stress": "lithostatic",
     },

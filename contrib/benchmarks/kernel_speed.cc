@@ -145,7 +145,7 @@ namespace
              3 * number_bytes;
     }
 
-    /** That matrix with scalar entries. */
+    /** The matrix with scalar entries. */
     double
     scalar_product() const
     {

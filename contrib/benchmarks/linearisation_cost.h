@@ -24,7 +24,7 @@ namespace Measure
     double new_hessians = 0;
     /** Of the truncation, at all nodes of the faults. */
     double new_truncation = 0;
-    /** That at one in a hundred of these nodes, side by side. */
+    /** The cost at one in a hundred of these nodes, side by side. */
     double moved_front = 0;
     double v_cycle     = 0;
   };

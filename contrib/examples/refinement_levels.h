@@ -11,7 +11,7 @@
 #include <stickslip/multigrid/level_hierarchy.h>
 
 /**
- * How the solver is given a problem on a mesh of deal.II: a matrix of blocks
+ * Problems on meshes of deal.II as the solver takes them: a matrix of blocks
  * from a sparse matrix, and the levels of the multigrid method from the
  * refinement of the mesh. To be copied together with an example.
  *

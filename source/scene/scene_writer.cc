@@ -199,7 +199,7 @@ namespace StickSlip
           continue; // Entries of a region are as in the fault.
         if (entry.sections.size() > 1 && entry.sections[1] == "BODY right" &&
             (entry.name == "Axes" || entry.name == "Ramp length"))
-          continue; // They are the same with all axes.
+          continue; // Entries of all axes are the same.
         const std::string section = displayed_section(entry.sections);
         if (section != current)
           {

@@ -64,17 +64,23 @@ namespace StickSlip
     const SystemState<dim>            &from,
     const double                       tau) const
   {
-    using Problem   = SpatialProblem<dim, n_components>;
-    NodalVector rhs = problem.load(from.time + tau), w = problem.make_vector(),
-                product = w;
+    NodalVector rhs =
+      Newmark<dim, n_components>::right_hand_side(problem, from, tau);
     rhs += start_force(problem, from);
-    problem.to_jumps(w, from.velocity);
-    problem.term(Problem::mass).vmult(product, w);
-    rhs.add(2. / tau, product);
-    problem.to_jumps(w, this->known_displacement(from, tau));
-    problem.term(Problem::stiffness).vmult(product, w);
-    rhs -= product;
     return rhs;
+  }
+
+
+
+  template <int dim, int n_components>
+  NodalVector
+  ContactImplicit<dim, n_components>::known_acceleration(
+    const SystemState<dim> &from,
+    const double            tau) const
+  {
+    NodalVector a = from.velocity;
+    a *= 2. / tau;
+    return a;
   }
 
 

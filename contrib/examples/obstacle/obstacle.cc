@@ -168,7 +168,7 @@ public:
   Examples::ActiveSetSummary
   solve_by_active_set(Vector<double> &u) const;
 
-  // What the table says of the problem itself.
+  // Columns of the table on the problem itself.
   void
   add_columns(TableHandler &table) const;
 

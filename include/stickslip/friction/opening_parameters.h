@@ -15,9 +15,9 @@ namespace StickSlip
    */
   enum class ContactKind
   {
-    /** They stay together, whatever pulls at them. */
+    /** Sides stay together, whatever pulls at them. */
     bilateral,
-    /** They may part, and nothing but a bond pulls them together. */
+    /** Sides may part, and nothing but a bond pulls them together. */
     unilateral
   };
 
@@ -26,9 +26,9 @@ namespace StickSlip
    */
   enum class OpenState
   {
-    /** It evolves as at rest. */
+    /** Evolution as at rest. */
     heals,
-    /** It stays as it is. */
+    /** No evolution. */
     frozen
   };
 

@@ -10,7 +10,7 @@
 namespace StickSlip
 {
   /**
-   * Whether, for each of the @p fault_faces, the first cell is on the first
+   * Flags of the @p fault_faces, true where the first cell is on the first
    * side of the fault. Faces that meet have the same sides; which of the two is
    * the first one is told by the fault (MeshFault::between), for each connected
    * part of it.

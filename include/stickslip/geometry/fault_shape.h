@@ -82,7 +82,7 @@ namespace StickSlip
   bool
   has_shapes(const Triangulation<dim> &cells);
 
-  /** How far vertices of a coarse mesh may be off the shape of their fault, in
+  /** Distance up to which vertices of a coarse mesh may be off their fault, in
    * the size of the smallest face there. */
   constexpr double most_off_shape = 0.1;
 

@@ -11,7 +11,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * When the contact mapping between the two sides of a fault is built anew.
+   * Reasons to build the contact mapping of the two sides of a fault anew.
    */
   struct ContactParameters
   {

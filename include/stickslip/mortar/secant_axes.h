@@ -30,7 +30,7 @@ namespace StickSlip
   };
 
   /**
-   * How a fault that bends is coupled while it slides on.
+   * Axes that couple a fault that bends while it slides on.
    *
    * The velocities of its sides have no jump along the normal, and this normal
    * is kept until the fault is coupled again. Were it the one at the start, a

@@ -16,7 +16,7 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * How a node of a fault that may open hangs together, in the numbers in
+   * State of the contact at a node that may open, in the numbers in
    * which it is written. Nodes off contact count as open.
    */
   enum class ContactState : char

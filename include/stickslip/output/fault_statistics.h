@@ -48,7 +48,7 @@ namespace StickSlip
   };
 
   /**
-   * How far one fault is open at one time. Only nodes opposite the other side
+   * Opening of one fault at one time. Only nodes opposite the other side
    * count, those of weight zero do not.
    */
   struct OpeningStatistics
@@ -71,7 +71,7 @@ namespace StickSlip
   fault_statistics(const FaultSnapshot<dim> &fault);
 
   /**
-   * How far a fault that may open is open.
+   * The opening of a fault that may open.
    */
   template <int dim>
   OpeningStatistics

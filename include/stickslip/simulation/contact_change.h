@@ -49,7 +49,7 @@ namespace StickSlip
   bool
   is_any_open(const SystemState<dim> &state);
 
-  /** How far the sides are apart along the normal at each slave node after a
+  /** Distance of the sides along the normal at each slave node after a
    * displacement, m, with the present contact mapping: the mean over the dual
    * function, which is not zero where sides bend that touch. Collective. */
   template <int dim, int n_components = dim>

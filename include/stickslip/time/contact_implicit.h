@@ -73,6 +73,12 @@ namespace StickSlip
       return mean + (mean - mean_before) * tau / (tau + last);
     }
 
+  protected:
+    /** Forces, not an acceleration, come from the step before. */
+    NodalVector
+    known_acceleration(const SystemState<dim> &from,
+                       const double            tau) const override;
+
   private:
     /** G0. */
     NodalVector
