@@ -13,7 +13,7 @@ TEST(LongSpringSlider, GivesThePublishedEvents)
   const RunHistory run(published_scene("spring_slider"));
   EXPECT_NEAR(run.steps.back().time, 60., 1e-9);
 
-  // Those of doc/results.md; later ones depend on the compiler.
+  // Events as in doc/results.md; later ones depend on the compiler.
   EXPECT_NEAR(run.events.size(), 22., 2.);
   ASSERT_FALSE(run.events.empty());
   EXPECT_NEAR(run.events.front().start, 22.277, 1e-3);

@@ -39,7 +39,7 @@ TEST(StationList, TakesNamesPlacesAndPointsApart)
   EXPECT_EQ(stations[1].place, "plus");
   EXPECT_EQ(stations[1].position, (std::vector<double>{0., -16e3, 2.}));
 
-  // What parameters.prm has says the same.
+  // Text of parameters.prm says the same.
   const std::string again = StationList::text(stations);
   ASSERT_TRUE(pattern.match(again)) << again;
   EXPECT_EQ(StationList::text(StationList::values(again)), again);
