@@ -55,6 +55,7 @@ namespace
   void
   expect_equal_solutions(const std::vector<BodyGeometry<dim>> &bodies)
   {
+    std::string counts;
     for (const bool opens_in_part : {false, true})
       {
         OpeningLayers<dim> shared(
@@ -66,8 +67,12 @@ namespace
             const auto [one, one_summary]  = solve(alone, tau);
             ASSERT_TRUE(our_summary.converged) << our_summary;
             ASSERT_TRUE(one_summary.converged) << one_summary;
+            // Sweeps do not cross from process to process, whose parts have
+            // a few nodes here, other ones with each version of METIS.
             EXPECT_LE(our_summary.iterations.size(),
-                      one_summary.iterations.size() * 3 / 2 + 1);
+                      one_summary.iterations.size() * 2);
+            counts += std::to_string(our_summary.iterations.size()) + " for " +
+                      std::to_string(one_summary.iterations.size()) + ", ";
             EXPECT_LT(difference(ours,
                                  shared.problem.hierarchy().finest().nodes,
                                  one,
@@ -83,6 +88,8 @@ namespace
               }
           }
       }
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << counts << "iterations\n";
   }
 } // namespace
 
