@@ -7,7 +7,7 @@ import pathlib
 
 from common import programs
 
-from . import iterations
+from . import iterations, pushed_blocks
 from .scenes import STATES, Mesh
 
 NUMBERS = (1, 2, 4, 8)
@@ -33,25 +33,7 @@ subsection Boundary conditions
     set x condition = fixed
     set y condition = fixed
   end
-  subsection block top
-    set x condition = traction
-    set x value     = 28e3
-    set Ramp length = 0
-  end
-end
-subsection Gravity
-  set Acceleration = 0
-end
-subsection Time
-  set Initial step = 1e-3
-end
-subsection Output
-  set Event start slip rate = 1e-4
-end
-subsection TNNMG
-  set Tolerance = 1e-8
-end
-"""
+""" + pushed_blocks.END.replace("{top}", "block top").replace("{sweeps}", "1")
 FAULT = """  subsection {}
     set Normal stress          = function
     set Normal stress function = 4.9e4
@@ -87,15 +69,11 @@ def mesh_text(n_faults):
         (3, 1, node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1))
         for j in range(CELLS) for i in range(CELLS)
     ]
-    text = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", len(names)]
-    text += [f'{2 if k == 0 else 1} {k + 1} "{name}"' for k, name in enumerate(names)]
-    text += ["$EndPhysicalNames", "$Nodes", (CELLS + 1) ** 2]
-    text += [f"{node(i, j)} {i / 2 - 4} {j / 2 - 4} 0"
-             for j in range(CELLS + 1) for i in range(CELLS + 1)]
-    text += ["$EndNodes", "$Elements", len(elements)]
-    text += [" ".join(map(str, (k + 1, kind, 2, group, 1, *nodes)))
-             for k, (kind, group, *nodes) in enumerate(elements)]
-    return "\n".join(map(str, text + ["$EndElements", ""]))
+    return pushed_blocks.mesh_text(
+        [(2 if k == 0 else 1, name) for k, name in enumerate(names)],
+        [f"{i / 2 - 4} {j / 2 - 4} 0"
+         for j in range(CELLS + 1) for i in range(CELLS + 1)],
+        elements)
 
 
 def crossing_scene(n_faults, refinements, folder):

@@ -9,7 +9,7 @@ import pathlib
 
 from common import programs
 
-from . import iterations
+from . import iterations, pushed_blocks
 from .scenes import STATES, Mesh
 
 # Cubes of half a metre along the sides of a box of 5 m x 5 m x 2 m.
@@ -46,26 +46,7 @@ subsection Boundary conditions
     set y condition = fixed
     set z condition = fixed
   end
-  subsection upper top
-    set x condition = traction
-    set x value     = 28e3
-    set Ramp length = 0
-  end
-end
-subsection Gravity
-  set Acceleration = 0
-end
-subsection Time
-  set Initial step = 1e-3
-end
-subsection Output
-  set Event start slip rate = 1e-4
-end
-subsection TNNMG
-  set Tolerance        = 1e-8
-  set Smoothing sweeps = {sweeps}
-end
-"""
+""" + pushed_blocks.END.replace("{top}", "upper top")
 
 
 def elevation(name, x, y, z):
@@ -128,16 +109,12 @@ def mesh_text(shape, bend):
         for end, j in itertools.product((0, nx), range(ny)):
             elements += [(kind, 6, *nodes)
                          for kind, *nodes in faces((end, j, k), 2, 4, of_tetrahedra)]
-    text = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", len(names)]
-    text += [f'{3 if n < 2 else 2} {n + 1} "{name}"' for n, name in enumerate(names)]
-    text += ["$EndPhysicalNames", "$Nodes", (nx + 1) * (ny + 1) * (nz + 1)]
+    places = []
     for k, j, i in itertools.product(range(nz + 1), range(ny + 1), range(nx + 1)):
         x, y, z = (SIZE * (n - whole / 2) for n, whole in zip((i, j, k), CELLS))
-        text.append(f"{node(i, j, k)} {x} {y} {elevation(bend, x, y, z):.17g}")
-    text += ["$EndNodes", "$Elements", len(elements)]
-    text += [" ".join(map(str, (n + 1, kind, 2, group, 1, *nodes)))
-             for n, (kind, group, *nodes) in enumerate(elements)]
-    return "\n".join(map(str, text + ["$EndElements", ""]))
+        places.append(f"{x} {y} {elevation(bend, x, y, z):.17g}")
+    return pushed_blocks.mesh_text(
+        [(3 if n < 2 else 2, name) for n, name in enumerate(names)], places, elements)
 
 
 def scene(shape, bend, refinements, sweeps, folder):
