@@ -46,7 +46,7 @@ namespace StickSlip
           case 38:
             return 12;
         }
-      AssertThrow(false, ExcNotImplemented());
+      AssertThrow(false, ExcMessage("Cells of this shape are not written."));
       return 0;
     }
 

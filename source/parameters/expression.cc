@@ -6,12 +6,12 @@
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/expression_text.h>
 #include <stickslip/parameters/number_range.h>
+#include <stickslip/parameters/unit_operators.h>
 #include <stickslip/parameters/units.h>
 
 #include <array>
 #include <cmath>
 #include <regex>
-#include <utility>
 
 namespace StickSlip
 {
@@ -49,28 +49,18 @@ namespace StickSlip
 
 
 
-    // muParser wants functions without data, one for each unit.
+    /** Numbers with a unit in SI units. */
     template <std::size_t unit>
-    double
-    in_unit(double x)
+    struct InUnit
     {
-      return x * units_in_expressions()[unit].second;
-    }
+      static double
+      apply(double x)
+      {
+        return x * units_in_expressions()[unit].second;
+      }
+    };
 
 
-
-    /** Define units as operators that follow a number. */
-    template <std::size_t... unit>
-    void
-    define_units(mu::Parser &parser, std::index_sequence<unit...>)
-    {
-      const auto define = [&parser](const std::size_t i,
-                                    double (*function)(double)) {
-        if (i < units_in_expressions().size())
-          parser.DefinePostfixOprt(units_in_expressions()[i].first, function);
-      };
-      (define(unit, &in_unit<unit>), ...);
-    }
 
     // muParser takes "0,5" for two values and returns the last one.
     bool
@@ -147,8 +137,7 @@ namespace StickSlip
           if (may_depend_on_time)
             parser.DefineVar("t", &variables[dim]);
           define_functions(parser);
-          AssertIndexRange(units_in_expressions().size(), most_units + 1);
-          define_units(parser, std::make_index_sequence<most_units>());
+          define_units<InUnit>(parser);
           parser.SetExpr(without_space_after_names(expression));
           // Most mistakes are found at the first evaluation only.
           parser.Eval();

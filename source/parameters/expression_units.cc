@@ -4,6 +4,7 @@
 #include <muParser.h>
 #include <stickslip/parameters/expression_text.h>
 #include <stickslip/parameters/expression_units.h>
+#include <stickslip/parameters/unit_operators.h>
 
 #include <algorithm>
 #include <cmath>
@@ -233,28 +234,18 @@ namespace StickSlip
 
 
 
+    /** Numbers with a unit: its dimensions. */
     template <std::size_t unit>
-    double
-    in_unit(const double code)
+    struct InUnit
     {
-      const double of_unit =
-        encode(read_unit(units_in_expressions()[unit].first)->dimensions);
-      return has_unit(code) ? product<1>(code, of_unit) : of_unit;
-    }
-
-
-
-    template <std::size_t... unit>
-    void
-    define_units(mu::Parser &parser, std::index_sequence<unit...>)
-    {
-      const auto define = [&parser](const std::size_t i,
-                                    double (*function)(double)) {
-        if (i < units_in_expressions().size())
-          parser.DefinePostfixOprt(units_in_expressions()[i].first, function);
-      };
-      (define(unit, &in_unit<unit>), ...);
-    }
+      static double
+      apply(double code)
+      {
+        const double of_unit =
+          encode(read_unit(units_in_expressions()[unit].first)->dimensions);
+        return has_unit(code) ? product<1>(code, of_unit) : of_unit;
+      }
+    };
 
 
 
@@ -336,7 +327,7 @@ namespace StickSlip
           mu::Parser parser;
           define_operators(parser);
           define_functions(parser);
-          define_units(parser, std::make_index_sequence<most_units>());
+          define_units<InUnit>(parser);
           parser.ClearConst();
           for (const char *const name : {"pi", "_pi", "_e"})
             parser.DefineConst(name, plain);

@@ -301,23 +301,31 @@ namespace StickSlip
     warn_of_bodies(scene, meshes, warnings);
 
     const FewestOutputs fewest(scene.time, scene.output);
-    if (fewest.steps > many_steps)
-      warnings.push_back("'Time/Largest step' = '" +
-                         shortest_form(scene.time.largest_step) +
-                         "': means at least " + rounded_count(fewest.steps) +
-                         " steps up to 'End time'.");
-    if (fewest.fault_records > many_records)
-      warnings.push_back(
-        "'Output/Fault longest interval' = '" +
-        shortest_form(scene.output.fault_cadence.longest_interval) +
-        "': means at least " + rounded_count(fewest.fault_records) +
-        " records of the faults.");
-    if (fewest.volume_sets > many_sets)
-      warnings.push_back(
-        "'Output/Volume longest interval' = '" +
-        shortest_form(scene.output.volume_cadence.longest_interval) +
-        "': means at least " + rounded_count(fewest.volume_sets) +
-        " sets of VTU files.");
+    const auto          warn_if_many = [&](const std::string &entry,
+                                  const double       value,
+                                  const double       count,
+                                  const double       many,
+                                  const std::string &what) {
+      if (count > many)
+        warnings.push_back("'" + entry + "' = '" + shortest_form(value) +
+                           "': means at least " + rounded_count(count) + ' ' +
+                           what + '.');
+    };
+    warn_if_many("Time/Largest step",
+                 scene.time.largest_step,
+                 fewest.steps,
+                 many_steps,
+                 "steps up to 'End time'");
+    warn_if_many("Output/Fault longest interval",
+                 scene.output.fault_cadence.longest_interval,
+                 fewest.fault_records,
+                 many_records,
+                 "records of the faults");
+    warn_if_many("Output/Volume longest interval",
+                 scene.output.volume_cadence.longest_interval,
+                 fewest.volume_sets,
+                 many_sets,
+                 "sets of VTU files");
     return warnings;
   }
 

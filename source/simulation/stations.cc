@@ -162,7 +162,7 @@ namespace StickSlip
     const auto place =
       PlaceFinder<dim>(faces, surface.points).find(point_of<dim>(station));
     refuse_outside(station, "fault", place);
-    places.push_back({fault, place.values});
+    places.push_back({fault, place.values, with_normal_stress});
     headers.push_back(
       {station, true, place.size, fault_columns<dim>(with_normal_stress)});
   }
@@ -190,7 +190,7 @@ namespace StickSlip
            level.resolve(body, dof_of_vertex.at(vertex)))
         values[node] += factor * value;
 
-    places.push_back({body, {}});
+    places.push_back({body, {}, false});
     for (const auto &[node, value] : values)
       if (level.nodes.owned().is_element(node))
         places.back().nodes.emplace_back(level.nodes.local_index(node), value);
@@ -206,7 +206,6 @@ namespace StickSlip
   template <int dim>
   std::vector<double>
   Stations<dim>::fault_values(const Place              &place,
-                              const bool                with_normal_stress,
                               const FaultSnapshot<dim> &fault) const
   {
     Tensor<1, dim - 1> slip, rate, traction;
@@ -226,7 +225,7 @@ namespace StickSlip
       result.push_back(log10_of(rate[c]));
     for (unsigned int c = 0; c < dim - 1; ++c)
       result.push_back(1e-6 * traction[c]);
-    if (with_normal_stress)
+    if (place.with_normal_stress)
       result.push_back(1e-6 * normal_stress);
     result.push_back(log_state);
     return result;
@@ -247,10 +246,7 @@ namespace StickSlip
         result.emplace_back();
         if (headers[i].is_on_fault)
           {
-            const bool with_normal_stress =
-              headers[i].columns.size() > 3 * (dim - 1) + 1;
-            result.back() =
-              fault_values(place, with_normal_stress, faults[place.number]);
+            result.back() = fault_values(place, faults[place.number]);
             continue;
           }
         for (const NodalVector *field : {&state.displacement, &state.velocity})

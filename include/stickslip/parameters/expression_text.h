@@ -4,15 +4,11 @@
 #ifndef stickslip_parameters_expression_text_h
 #define stickslip_parameters_expression_text_h
 
-#include <cstddef>
 #include <regex>
 #include <string>
 
 namespace StickSlip
 {
-  /** Most units that expressions may have, for lists of functions. */
-  constexpr std::size_t most_units = 64;
-
   /** An expression as muParser wants it: the parenthesis of a function next to
    * its name. Moved there, it leaves all other characters in their place. */
   inline std::string

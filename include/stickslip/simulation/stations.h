@@ -58,6 +58,9 @@ namespace StickSlip
       /** Nodes and values of their basis functions: places among those of the
        * fault, or local indices of the owned ones. */
       std::vector<std::pair<unsigned int, double>> nodes;
+
+      /** True on a fault whose normal stress follows the contact pressure. */
+      bool with_normal_stress = false;
     };
 
     void
@@ -72,9 +75,7 @@ namespace StickSlip
                 const MeshLevel<dim> &level);
 
     std::vector<double>
-    fault_values(const Place              &place,
-                 const bool                with_normal_stress,
-                 const FaultSnapshot<dim> &fault) const;
+    fault_values(const Place &place, const FaultSnapshot<dim> &fault) const;
 
     unsigned int              n_components = dim;
     std::vector<StationTable> headers;

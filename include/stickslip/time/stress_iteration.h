@@ -13,9 +13,9 @@ namespace StickSlip
    * that has been tried the bodies press their sides together by the one that
    * is found, which is tried next.
    *
-   * Where slip presses the sides together by more than the friction that it
-   * takes, as of bodies that lean or rock without being held, each error is
-   * followed by a larger one. Where the changes have not shrunk for a while
+   * Slip of bodies that lean or rock without being held may press the sides
+   * together by more than the friction that it takes: each error is followed by
+   * a larger one then. Where the changes have not shrunk for a while
    * the one tried next is the combination of the last ones whose changes
    * cancel best (Anderson 1965; the form is that of Walker and Ni 2011).
    */
