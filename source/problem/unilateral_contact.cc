@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/magnitude.h>
+#include <stickslip/base/time_resolution.h>
 #include <stickslip/problem/unilateral_contact.h>
 
 #include <algorithm>
@@ -79,6 +80,30 @@ namespace StickSlip
     for (unsigned int k = 0; k < result.size(); ++k)
       result[k] = may_open(k) && opening_rates[k] == bounds[k];
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  UnilateralContact<dim>::add_landed(std::vector<bool>         &touching,
+                                     const SystemState<dim>    &from,
+                                     const double               time,
+                                     const std::vector<double> &opening_rates,
+                                     const GapPath             &path) const
+  {
+    constexpr double least_part = 1e-6;
+
+    const double shortest = time_resolution(time);
+    for (unsigned int k = 0; k < touching.size(); ++k)
+      if (may_open(k) && from.gap[k] > 0. && opening_rates[k] < 0.)
+        {
+          const double way = path.of_start * from.opening_rate[k] +
+                             path.of_end * opening_rates[k];
+          const double left = from.gap[k] + way;
+          touching[k] = touching[k] || left <= least_part * std::abs(way) ||
+                        left <= shortest * std::abs(opening_rates[k]);
+        }
   }
 
 

@@ -18,6 +18,21 @@ namespace StickSlip
         0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
       return std::clamp(factor, 0.2, just_rejected ? 1. : 2.);
     }
+
+
+
+    /** The end of a step before impacts, which its past knows nothing of. */
+    template <int dim, int n_components>
+    PastState<dim>
+    before_impacts(const StepHistory<dim, n_components> &history,
+                   const StepResult<dim>                &step)
+    {
+      if (step.slip_rate_before_impacts.empty())
+        return history.record(step.state);
+      SystemState<dim> state = step.state;
+      state.slip_rate        = step.slip_rate_before_impacts;
+      return history.record(state);
+    }
   } // namespace
 
 
@@ -28,19 +43,21 @@ namespace StickSlip
     const SystemState<dim> &state,
     StepMemory<dim>        &memory)
   {
-    StepHistory<dim, n_components> history = this->history(memory, state);
+    StepHistory<dim, n_components> history   = this->history(memory, state);
+    const double                   tolerance = this->parameters.tolerance;
+    std::optional<double>          contact;
     while (true)
       {
-        const double tau = this->limit(memory, state.time, memory.proposed);
+        const double tau =
+          this->limit(memory, state.time, contact.value_or(memory.proposed));
         const Prediction<dim> prediction = history.predict(state, tau);
         StepResult<dim> result = this->take(memory, state, tau, &prediction);
         double          factor = 0.5;
         std::string     reason = result.failure;
         if (result.converged)
           {
-            const double   tolerance = this->parameters.tolerance;
-            PastState<dim> now       = history.record(result.state);
-            memory.last_error        = history.estimate_error(now);
+            PastState<dim> now = before_impacts(history, result);
+            memory.last_error  = history.estimate_error(now);
             factor = growth(memory.last_error, tolerance, memory.just_rejected);
             if (memory.last_error <= tolerance)
               {
@@ -51,16 +68,33 @@ namespace StickSlip
                 if (tau >= memory.proposed || factor < 1.)
                   memory.proposed = this->on_grid(factor * tau);
                 memory.just_rejected = false;
-                history.add(std::move(now));
+                if (!result.slip_rate_before_impacts.empty())
+                  now = history.record(result.state);
+                // Rates that have jumped begin anew, and short steps to the
+                // moment of contact tell nothing of longer ones.
+                if (contact || history.estimate_error(now) > tolerance)
+                  history.restart(std::move(now));
+                else
+                  history.add(std::move(now));
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(result));
                 return accepted;
               }
-            reason = "the estimated error stays above Time/Tolerance";
+            reason  = "the estimated error stays above Time/Tolerance";
+            contact = result.slip_rate_before_impacts.empty() ?
+                        std::optional<double>() :
+                        this->time_of_contact(state, result.state);
           }
-        // Not std::min(factor, 0.5): the factor may be no number.
-        memory.proposed = this->on_grid((factor < 0.5 ? factor : 0.5) * tau);
-        memory.just_rejected = true;
+        else
+          contact.reset();
+        // A step that ends with an impact is as smooth as others.
+        if (!contact)
+          {
+            // Not std::min(factor, 0.5): the factor may be no number.
+            memory.proposed =
+              this->on_grid((factor < 0.5 ? factor : 0.5) * tau);
+            memory.just_rejected = true;
+          }
         this->reject(memory, state.time, memory.proposed, reason);
       }
   }

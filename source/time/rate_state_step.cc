@@ -158,8 +158,7 @@ namespace StickSlip
           }
         complete(to, from, tau, rhs, w, contact);
         if (unilateral.is_needed())
-          result.contact_energy =
-            complete_contact(to, from, tau, rhs, w, contact);
+          complete_contact(result, from, tau, rhs, w, contact);
         result.converged = true;
       }
     catch (const SingularMatrix &error)
@@ -495,24 +494,24 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  ContactEnergy
+  void
   RateStateStep<dim, n_components>::complete_contact(
-    SystemState<dim>       &to,
+    StepResult<dim>        &result,
     const SystemState<dim> &from,
     const double            tau,
     const NodalVector      &rhs,
     NodalVector            &w,
     const ContactOfStep    &contact)
   {
-    unilateral.complete(to,
-                        from,
-                        tau,
-                        fault_nodes.opening_jumps(w),
-                        contact.touching,
-                        contact.path);
-    ContactEnergy energy = unilateral.energy(to, from, contact.path);
+    SystemState<dim>         &to            = result.state;
+    const std::vector<double> opening_rates = fault_nodes.opening_jumps(w);
+    std::vector<bool>         touching      = contact.touching;
+    unilateral.add_landed(touching, from, to.time, opening_rates, contact.path);
+    unilateral.complete(to, from, tau, opening_rates, touching, contact.path);
+    ContactEnergy &energy = result.contact_energy;
+    energy                = unilateral.energy(to, from, contact.path);
     if (time_parameters.inertia != Inertia::dynamic)
-      return energy;
+      return;
 
     // Forces of the contact are the reaction less what was put into the right
     // hand side for it.
@@ -529,7 +528,10 @@ namespace StickSlip
       }
 
     const NodalVector before_impacts = w;
-    energy.lost += stop_impacts(problem, fault_nodes, contact.touching, w);
+    const double      lost = stop_impacts(problem, fault_nodes, touching, w);
+    energy.lost += lost;
+    if (lost > 0.)
+      result.slip_rate_before_impacts = to.slip_rate;
     time_scheme->set_end_force(
       to, from, tau, problem, before_impacts, w, reaction);
     if (energy.lost > 0.)
@@ -542,7 +544,6 @@ namespace StickSlip
     problem.to_nodal(to.velocity, w);
     to.slip_rate    = fault_nodes.tangential_jumps(w);
     to.opening_rate = fault_nodes.opening_jumps(w);
-    return energy;
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/base/time_resolution.h>
 #include <stickslip/time/embedded_control.h>
 #include <stickslip/time/step_doubling.h>
 #include <stickslip/time/step_size_control.h>
@@ -31,22 +32,25 @@ namespace StickSlip
     /** Sides that come together this soon after the start of a step, or before
      * its end, over its size, are no reason to split it. */
     constexpr double least_part = 0.02;
-
-
-
-    /** The time from the start of a step until the first gap that it closes
-     * is closed at the rate of the start, s; infinite if there is none. */
-    template <int dim>
-    double
-    time_of_contact(const SystemState<dim> &from, const SystemState<dim> &to)
-    {
-      double earliest = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; k < to.gap.size(); ++k)
-        if (from.gap[k] > 0. && to.gap[k] == 0. && from.opening_rate[k] < 0.)
-          earliest = std::min(earliest, -from.gap[k] / from.opening_rate[k]);
-      return earliest;
-    }
   } // namespace
+
+
+
+  template <int dim, int n_components>
+  std::optional<double>
+  StepSizeController<dim, n_components>::time_of_contact(
+    const SystemState<dim> &from,
+    const SystemState<dim> &to) const
+  {
+    const double tau      = to.time - from.time;
+    double       earliest = tau;
+    for (unsigned int k = 0; k < to.gap.size(); ++k)
+      if (from.gap[k] > 0. && to.gap[k] == 0. && from.opening_rate[k] < 0.)
+        earliest = std::min(earliest, -from.gap[k] / from.opening_rate[k]);
+    if (earliest <= time_resolution(to.time) || earliest >= (1. - 1e-6) * tau)
+      return {};
+    return earliest;
+  }
 
 
 
@@ -69,14 +73,15 @@ namespace StickSlip
         energy.lost <= parameters.impact_tolerance * energy.kinetic)
       return result;
 
-    const double before = time_of_contact(from, result.state);
-    if (before < least_part * tau || before > (1. - least_part) * tau)
+    const std::optional<double> before = time_of_contact(from, result.state);
+    if (!before || *before < least_part * tau ||
+        *before > (1. - least_part) * tau)
       return result;
-    const StepResult<dim> first = step.take(from, before);
+    const StepResult<dim> first = step.take(from, *before);
     count(first);
     if (!first.converged || first.contact_energy.lost >= energy.lost)
       return result;
-    StepResult<dim> second = step.take(first.state, tau - before);
+    StepResult<dim> second = step.take(first.state, tau - *before);
     count(second);
     if (!second.converged ||
         first.contact_energy.lost + second.contact_energy.lost >= energy.lost)

@@ -52,19 +52,22 @@ def impact():
 
 
 def chattering():
-    yield Case(
-        "opening",
-        "chattering, the floor shaken with three times gravity",
-        opening(
-            0.4,
-            overrides={
-                "Boundary conditions/lower bottom/y condition": "velocity",
-                "Boundary conditions/lower bottom/y value": "0.3 * sin(100 * t)",
-                "Boundary conditions/lower bottom/Ramp length": "0.05",
-            },
-        ),
-        CONDENSED,
-    )
+    """Contacts amplify differences of 1e-12 to 1e-2 within 0.14 s, so that solutions
+    are compared before, and the longer run has only to reach its end."""
+    for end_time, reference in ((0.1, CONDENSED), (0.4, None)):
+        yield Case(
+            "opening",
+            f"chattering for {end_time} s, the floor shaken with three times gravity",
+            opening(
+                end_time,
+                overrides={
+                    "Boundary conditions/lower bottom/y condition": "velocity",
+                    "Boundary conditions/lower bottom/y value": "0.3 * sin(100 * t)",
+                    "Boundary conditions/lower bottom/Ramp length": "0.05",
+                },
+            ),
+            reference,
+        )
 
 
 def bonds():

@@ -154,6 +154,10 @@ namespace StickSlip
     SystemState<dim> state;
     StepCounts       counts;
     ContactEnergy    contact_energy;
+
+    /** Slip rates at the end of the step before sides that have come together
+     * are stopped there, m/s; empty if there is nothing to stop. */
+    std::vector<Tensor<1, dim - 1>> slip_rate_before_impacts;
   };
 } // namespace StickSlip
 

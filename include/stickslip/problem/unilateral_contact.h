@@ -91,6 +91,17 @@ namespace StickSlip
     touching(const std::vector<double> &opening_rates,
              const std::vector<double> &bounds) const;
 
+    /** Add the nodes at which a step ends, at @p time, with the moment of
+     * contact, all but a millionth of the way that the sides have come nearer,
+     * or of the time that a number can tell: what is left would take no time,
+     * but stop them with the force of a step. */
+    void
+    add_landed(std::vector<bool>         &touching,
+               const SystemState<dim>    &from,
+               const double               time,
+               const std::vector<double> &opening_rates,
+               const GapPath             &path) const;
+
     /** The pressure of the bodies at each slave node, Pa, from the reaction of
      * the rate problem over the weights; exactly that of no normal stress where
      * the sides do not touch. */

@@ -186,10 +186,10 @@ namespace StickSlip
              NodalVector            &w,
              const ContactOfStep    &contact);
 
-    /** Gaps, bonds and, after impacts, velocities of @p to; @p w: velocities of
-     * the rate problem. */
-    ContactEnergy
-    complete_contact(SystemState<dim>       &to,
+    /** Gaps, bonds and, after impacts, velocities of the state of @p result,
+     * and what contact takes; @p w: velocities of the rate problem. */
+    void
+    complete_contact(StepResult<dim>        &result,
                      const SystemState<dim> &from,
                      const double            tau,
                      const NodalVector      &rhs,

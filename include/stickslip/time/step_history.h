@@ -65,6 +65,14 @@ namespace StickSlip
       records.resize(std::min<std::size_t>(records.size(), 3));
     }
 
+    /** Forget all accepted states but @p newest. */
+    void
+    restart(PastState<dim> &&newest)
+    {
+      records.clear();
+      add(std::move(newest));
+    }
+
     /** Velocity and state a step @p tau after @p state, that of the newest
      * record, whose velocity may follow another contact mapping by now. */
     Prediction<dim>

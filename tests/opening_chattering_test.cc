@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include <gtest/gtest.h>
+#include <stickslip/simulation/simulation.h>
+
+#include "opening_scene.h"
+
+using namespace StickSlip;
+using namespace StickSlip::Tests;
+
+namespace
+{
+  /** Two bodies, the upper one of which nothing holds, on a fault with a
+   * characteristic slip that is passed within microseconds after an impact. */
+  const char *const two_bodies = R"(
+subsection Bodies
+  set Names = lower, upper
+  subsection lower
+    set Lower lateral corner = -2.5
+    set Upper lateral corner = 2.5
+    set Thickness            = 1
+    set Coarse cells         = 10, 2
+    set Refinement passes    = 2
+  end
+  subsection upper
+    set Lower lateral corner = -2.5
+    set Upper lateral corner = 2.5
+    set Thickness            = 1
+    set Coarse cells         = 10, 2
+    set Refinement passes    = 2
+  end
+end
+subsection Faults
+  set Names = fault
+  subsection fault
+    set Contact             = unilateral
+    set a                   = 0.010
+    set b                   = 0.015
+    set Characteristic slip = 2e-5
+  end
+end
+subsection Boundary conditions
+  set Sides = lower bottom
+  subsection lower bottom
+    set x condition = fixed
+    set y condition = fixed
+  end
+end
+subsection Output
+  set Event start slip rate = 1
+end
+)";
+
+
+
+  /** The run to its end, with the openings of the fault on the way. */
+  unsigned int
+  n_landings(Simulation<2> &simulation)
+  {
+    simulation.set_up();
+    unsigned int result = 0;
+    bool         flies  = false;
+    while (!simulation.is_finished())
+      {
+        simulation.advance();
+        bool touches = false;
+        for (const double gap : simulation.state().gap)
+          touches = touches || gap == 0.;
+        result += flies && touches;
+        flies = !touches;
+      }
+    return result;
+  }
+} // namespace
+
+
+
+TEST(OpeningChattering, NeedsNoShorterStepsThanItsTolerance)
+{
+  Simulation<2> simulation(
+    read_opening_scene<2>(
+      two_bodies,
+      {"Boundary conditions/lower bottom/y condition=velocity",
+       "Boundary conditions/lower bottom/y value=0.3*sin(100*t)",
+       "Boundary conditions/lower bottom/Ramp length=0.05",
+       "Time/Tolerance=3e-7",
+       "Time/End time=0.1"}),
+    MPI_COMM_WORLD);
+  EXPECT_GE(n_landings(simulation), 2u);
+}
+
+
+
+TEST(OpeningChattering, StepsEndOnImpactsThatTheyCannotPass)
+{
+  // A fall to 1 m/s on a fault that is touched node by node.
+  Simulation<2> simulation(
+    read_opening_scene<2>(two_bodies,
+                          {"Faults/fault/Initial gap=0.0509684+1e-3*x",
+                           "Gravity/Acceleration=9.81",
+                           "Time/Largest step=5e-4",
+                           "Time/Initial step=5e-4",
+                           "Time/End time=0.11"}),
+    MPI_COMM_WORLD);
+  EXPECT_EQ(n_landings(simulation), 1u);
+  EXPECT_LE(simulation.counts().accepted, 400u);
+}
