@@ -54,13 +54,13 @@ namespace
 
 
 
-  /** The mean factor by which the error shrinks in thirty V-cycles, in the
-   * energy norm. */
+  /** The factor by which the error shrinks in a V-cycle in the end, in the
+   * energy norm: mean of the last ten of thirty. */
   template <int dim>
   double
   convergence_factor(LevelHierarchy<dim> &hierarchy, const NodeMask &active)
   {
-    constexpr unsigned int n_cycles = 30;
+    constexpr unsigned int n_cycles = 30, n_last = 10;
     NodalVector            error    = random_vector(hierarchy.finest(), active);
     NodalVector            product = error, correction = error;
     double                 first = 0., last = 0.;
@@ -68,12 +68,12 @@ namespace
       {
         hierarchy.vmult_linearised(product, error);
         last = std::sqrt(error * product);
-        if (k == 0)
+        if (k == n_cycles - n_last)
           first = last;
         hierarchy.v_cycle(correction, product);
         error -= correction;
       }
-    return std::pow(last / first, 1. / n_cycles);
+    return std::pow(last / first, 1. / n_last);
   }
 
 
@@ -85,6 +85,8 @@ namespace
   {
     OpeningLayers<dim>   layers(bodies, true);
     LevelHierarchy<dim> &hierarchy = layers.problem.hierarchy();
+    // What scenes have whose faults may open.
+    hierarchy.set_smoothing_sweeps(2);
     layers.problem.combine(Newmark<dim>().operator_coefficients(1e-2));
     std::cout << name << ':';
     for (const CyclePrecision precision :
@@ -101,8 +103,8 @@ namespace
               cg_iterations(hierarchy,
                             random_vector(hierarchy.finest(), active));
             std::cout << ' ' << factor << '/' << steps;
-            EXPECT_LE(factor, 0.65) << name << ' ' << probability;
-            EXPECT_LE(steps, dim == 2 ? 15u : 17u)
+            EXPECT_LE(factor, 0.55) << name << ' ' << probability;
+            EXPECT_LE(steps, dim == 2 ? 11u : 12u)
               << name << ' ' << probability;
           }
       }

@@ -78,6 +78,24 @@ namespace StickSlip
 
 
 
+    /** True if one Gauss-Seidel sweep leaves a cycle slow: beside jumps that
+     * are free, and on tetrahedra. */
+    template <int dim>
+    bool
+    is_hard_to_smooth(const SceneParameters<dim> &scene)
+    {
+      for (const FaultParameters &fault : scene.faults)
+        if (fault.may_open())
+          return true;
+      if (dim == 3 && scene.mesh)
+        for (const BodyCells<dim> &body : scene.mesh->bodies)
+          if (body.cells.front().vertices.size() == dim + 1)
+            return true;
+      return false;
+    }
+
+
+
     template <int dim>
     std::vector<AutomaticNumber *>
     automatic_numbers(SceneParameters<dim> &scene)
@@ -86,6 +104,7 @@ namespace StickSlip
               &scene.time.doubling_threshold,
               &scene.time.rate_state_tolerance,
               &scene.time.largest_step,
+              &scene.tnnmg.smoothing_sweeps,
               &scene.output.fault_cadence.slip_interval,
               &scene.output.fault_cadence.longest_interval,
               &scene.output.station_cadence.slip_interval,
@@ -120,6 +139,8 @@ namespace StickSlip
     time.tolerance.derive(3e-6 * size);
     time.doubling_threshold.derive(1e-5 * size);
     time.rate_state_tolerance.derive(1e-6 * size);
+
+    scene.tnnmg.smoothing_sweeps.derive(is_hard_to_smooth(scene) ? 2. : 1.);
 
     const auto derive = [&](CadenceParameters &cadence,
                             const double       slip,

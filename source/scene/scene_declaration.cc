@@ -240,13 +240,13 @@ namespace StickSlip
         "So many corrections of each problem take one multigrid V-cycle "
         "only: a time step, which begins at its prediction, hardly needs "
         "more, and from far away the first ones need not be exact.");
-      add_count(prm,
-                "Smoothing sweeps",
-                parameters.smoothing_sweeps,
-                1,
-                100,
-                "Gauss-Seidel sweeps before and after each coarse grid "
-                "correction.");
+      add_number(prm,
+                 "Smoothing sweeps",
+                 parameters.smoothing_sweeps,
+                 NumberRange().whole().at_least(1).at_most(100),
+                 "Gauss-Seidel sweeps before and after each coarse grid "
+                 "correction; auto: 2 where a fault may open or a body is "
+                 "of tetrahedra, else 1.");
       add_number(prm,
                  "Coarse update threshold",
                  parameters.coarse_update_threshold,

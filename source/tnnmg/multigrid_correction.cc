@@ -13,7 +13,8 @@ namespace StickSlip
     , parameters(parameters)
     , cg(hierarchy.operators())
   {
-    hierarchy.set_smoothing_sweeps(parameters.smoothing_sweeps);
+    hierarchy.set_smoothing_sweeps(
+      static_cast<unsigned int>(parameters.smoothing_sweeps));
     hierarchy.set_coarse_update_threshold(parameters.coarse_update_threshold);
     hierarchy.set_coarse_solver(parameters.coarse_solver);
     hierarchy.set_cycle_precision(parameters.cycle_precision);

@@ -4,7 +4,7 @@
 #ifndef stickslip_output_output_cadence_h
 #define stickslip_output_output_cadence_h
 
-#include <stickslip/parameters/automatic_number.h>
+#include <stickslip/base/automatic_number.h>
 
 #include <cmath>
 

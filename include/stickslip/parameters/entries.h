@@ -7,7 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
-#include <stickslip/parameters/automatic_number.h>
+#include <stickslip/base/automatic_number.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/parameters/spatial_field.h>
 

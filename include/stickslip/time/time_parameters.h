@@ -6,8 +6,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <stickslip/base/automatic_number.h>
 #include <stickslip/friction/state_evolution.h>
-#include <stickslip/parameters/automatic_number.h>
 
 #include <vector>
 

@@ -4,6 +4,7 @@
 #ifndef stickslip_tnnmg_solver_parameters_h
 #define stickslip_tnnmg_solver_parameters_h
 
+#include <stickslip/base/automatic_number.h>
 #include <stickslip/multigrid/v_cycle.h>
 
 namespace StickSlip
@@ -49,8 +50,9 @@ namespace StickSlip
     /** The first corrections of a problem take one V-cycle each. */
     unsigned int single_cycle_corrections = 3;
 
-    /** Gauss-Seidel sweeps before and after each coarse grid correction. */
-    unsigned int smoothing_sweeps = 1;
+    /** Gauss-Seidel sweeps before and after each coarse grid correction, a
+     * whole number. */
+    AutomaticNumber smoothing_sweeps = 1.;
 
     /**
      * The coarse levels are given the second derivative of the nonsmooth term

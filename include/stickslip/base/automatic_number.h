@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#ifndef stickslip_parameters_automatic_number_h
-#define stickslip_parameters_automatic_number_h
+#ifndef stickslip_base_automatic_number_h
+#define stickslip_base_automatic_number_h
 
 namespace StickSlip
 {
