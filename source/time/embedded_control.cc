@@ -39,7 +39,7 @@ namespace StickSlip
         if (result.converged)
           {
             const double   tolerance = this->parameters.tolerance;
-            PastState<dim> now       = history.record(result.state);
+            PastState<dim> now       = history.record(result.state, tau);
             memory.last_error        = history.estimate_error(now);
             factor = growth(memory.last_error, tolerance, memory.just_rejected);
             if (memory.last_error <= tolerance)

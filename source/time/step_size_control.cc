@@ -102,7 +102,7 @@ namespace StickSlip
                                           step.scheme(),
                                           memory.past);
     if (memory.past.empty())
-      result.add(result.record(state));
+      result.add(result.record(state, 0.));
     return result;
   }
 
@@ -210,7 +210,7 @@ namespace StickSlip
             StepResult<dim> result = this->take(memory, state, tau);
             if (result.converged)
               {
-                PastState<dim> now = history.record(result.state);
+                PastState<dim> now = history.record(result.state, tau);
                 memory.largest_error =
                   std::max(memory.largest_error, history.estimate_error(now));
                 history.add(std::move(now));
