@@ -75,7 +75,8 @@ namespace
 
 TEST(StepSizes, AreTheSameWheneverTheClockStarts)
 {
-  // After 30000 years the time has an error of 0.1 ms; sizes of steps have none.
+  // After 30000 years the time has an error of 0.1 ms; sizes of steps have
+  // none.
   for (const std::string control : {"embedded", "step doubling"})
     {
       SCOPED_TRACE(control);
