@@ -249,7 +249,7 @@ TEST(Progress, WritesPlainLinesToAFileAndEstimatesTheTimeLeft)
 
 namespace
 {
-  // What is said of the time left after each of some steps, each of which takes
+  // Words on the time left after some steps, each of which takes
   // a second.
   class TimeLeft
   {
