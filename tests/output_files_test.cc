@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <sstream>
 
@@ -49,6 +50,31 @@ TEST(OutputCadence, WritesAfterEnoughSlipAtASteadyRate)
   EXPECT_TRUE(cadence.is_due(1.1, 1e-4));
   EXPECT_FALSE(cadence.is_due(1.005, 1.));
   EXPECT_TRUE(cadence.is_due(1.01, 1.));
+}
+
+
+
+TEST(OutputCadence, IsTheSameWheneverTheClockStarts)
+{
+  // Times that are numbers, and nothing that they are rounded to.
+  const double step = std::ldexp(1., -10), start = std::ldexp(1., 33);
+  for (const double slip_rate : {1e-9, 0.1, 1.})
+    {
+      OutputCadence now({2, 5e-3, 3 * step, 20 * step}),
+        later({2, 5e-3, 3 * step, 20 * step});
+      for (unsigned int i = 0; i < 100; ++i)
+        {
+          const double time = i * step;
+          const bool   due  = now.is_due(time, slip_rate);
+          EXPECT_EQ(later.is_due(start + time, slip_rate), due)
+            << "step " << i << " at " << slip_rate << " m/s";
+          if (due)
+            {
+              now.note_written(time, slip_rate);
+              later.note_written(start + time, slip_rate);
+            }
+        }
+    }
 }
 
 
