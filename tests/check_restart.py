@@ -316,7 +316,7 @@ def main():
     parser.add_argument("names", nargs="*")
     parser.add_argument("--long", action="store_true", help="all cases, 20 kills each")
     parser.add_argument("--seed", type=int)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     seed = random.randrange(10**6) if arguments.seed is None else arguments.seed
     text = (arguments.tests / "creeping_scene.h").read_text()
     scene = re.search(r'R"\((.*?)\)"', text, re.DOTALL).group(1)

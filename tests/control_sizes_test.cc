@@ -73,6 +73,37 @@ namespace
 
 
 
+TEST(StepSizes, AreTheSameWheneverTheClockStarts)
+{
+  // After 30000 years the time has an error of 0.1 ms; sizes of steps have
+  // none.
+  for (const std::string control : {"embedded", "step doubling"})
+    {
+      SCOPED_TRACE(control);
+      const auto steps_from = [&control](const double start) {
+        SteppingScene scene(creeping_bodies,
+                            {"Time/Step size control=" + control,
+                             "Time/Largest step=0.01",
+                             "Time/Initial step=1e-3",
+                             "Time/Tolerance=1e-6",
+                             "Time/Doubling threshold=1e-6",
+                             "Time/End time=2e12",
+                             "Boundary conditions/upper top/Ramp length=0"});
+        scene.state.time = start;
+        std::vector<double> values;
+        for (unsigned int i = 0; i < 60; ++i)
+          for (const StepResult<2> &step : scene.advance())
+            values.push_back(step.step_size);
+        values.push_back(scene.memory.last_error);
+        values.push_back(scene.state.alpha.front());
+        return values;
+      };
+      EXPECT_EQ(steps_from(0.), steps_from(1e12));
+    }
+}
+
+
+
 TEST(StepSizes, AreOnTheGridAndEndAtTheEnd)
 {
   // Neither the end nor the ramp fit to the grid.

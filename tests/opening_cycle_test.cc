@@ -61,7 +61,7 @@ namespace
   convergence_factor(LevelHierarchy<dim> &hierarchy, const NodeMask &active)
   {
     constexpr unsigned int n_cycles = 30, n_last = 10;
-    NodalVector            error    = random_vector(hierarchy.finest(), active);
+    NodalVector            error   = random_vector(hierarchy.finest(), active);
     NodalVector            product = error, correction = error;
     double                 first = 0., last = 0.;
     for (unsigned int k = 0; k <= n_cycles; ++k)

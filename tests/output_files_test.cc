@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <sstream>
 
@@ -49,6 +50,31 @@ TEST(OutputCadence, WritesAfterEnoughSlipAtASteadyRate)
   EXPECT_TRUE(cadence.is_due(1.1, 1e-4));
   EXPECT_FALSE(cadence.is_due(1.005, 1.));
   EXPECT_TRUE(cadence.is_due(1.01, 1.));
+}
+
+
+
+TEST(OutputCadence, IsTheSameWheneverTheClockStarts)
+{
+  // Times that are numbers, and nothing that they are rounded to.
+  const double step = std::ldexp(1., -10), start = std::ldexp(1., 33);
+  for (const double slip_rate : {1e-9, 0.1, 1.})
+    {
+      OutputCadence now({2, 5e-3, 3 * step, 20 * step}),
+        later({2, 5e-3, 3 * step, 20 * step});
+      for (unsigned int i = 0; i < 100; ++i)
+        {
+          const double time = i * step;
+          const bool   due  = now.is_due(time, slip_rate);
+          EXPECT_EQ(later.is_due(start + time, slip_rate), due)
+            << "step " << i << " at " << slip_rate << " m/s";
+          if (due)
+            {
+              now.note_written(time, slip_rate);
+              later.note_written(start + time, slip_rate);
+            }
+        }
+    }
 }
 
 
@@ -203,10 +229,10 @@ TEST(Progress, RewritesOneLineOnATerminalOnceASecond)
   std::ostringstream out;
   double             now = 100;
   Progress           progress(out, true, 60, [&now]() { return now; });
-  progress.update(1, 0.5, 1e-9);
+  progress.update(1, 1, 0.5, 1e-9);
   EXPECT_EQ(out.str(), "");
   now = 101;
-  progress.update(6, 0.5, 2e-9);
+  progress.update(2, 6, 0.5, 2e-9);
   const std::string first = out.str();
   EXPECT_EQ(first.find('\r'), 0u);
   EXPECT_EQ(first.find('\n'), std::string::npos);
@@ -214,7 +240,7 @@ TEST(Progress, RewritesOneLineOnATerminalOnceASecond)
        {"t = 6.0000 s", "step = 5.0e-01 s", "2.00e-09 m/s", "time left"})
     EXPECT_NE(first.find(part), std::string::npos) << first;
   now = 101.9;
-  progress.update(7, 0.5, 1e-9);
+  progress.update(3, 7, 0.5, 1e-9);
   EXPECT_EQ(out.str(), first);
   progress.finish();
   const std::string last = out.str().substr(first.size());
@@ -229,12 +255,12 @@ TEST(Progress, WritesPlainLinesToAFileAndEstimatesTheTimeLeft)
   std::ostringstream out;
   double             now = 0;
   Progress           progress(out, false, 40, [&now]() { return now; });
-  progress.update(0.5, 0.5, 1e-9);
+  progress.update(1, 0.5, 0.5, 1e-9);
   now = 9.9;
-  progress.update(9, 0.5, 1e-9);
+  progress.update(2, 9, 0.5, 1e-9);
   EXPECT_EQ(out.str(), "");
   now = 100;
-  progress.update(10, 0.5, 1e-9);
+  progress.update(3, 10, 0.5, 1e-9);
   // A quarter took 100 s, so three quarters take 300 s.
   EXPECT_NE(out.str().find(" 25.0 %"), std::string::npos) << out.str();
   EXPECT_NE(out.str().find("time left at least 5:00\n"), std::string::npos)
@@ -247,31 +273,79 @@ TEST(Progress, WritesPlainLinesToAFileAndEstimatesTheTimeLeft)
 
 
 
+namespace
+{
+  // Words on the time left after some steps, each of which takes
+  // a second.
+  class TimeLeft
+  {
+  public:
+    TimeLeft(const unsigned int n_earlier_steps,
+             const double       first_time,
+             const unsigned int n_earlier_events)
+      : step(n_earlier_steps)
+      , progress(out, false, 100, [this]() { return clock; })
+    {
+      after(1, first_time, n_earlier_events);
+    }
+
+    std::string
+    after(const unsigned int n_steps,
+          const double       time,
+          const unsigned int n_events)
+    {
+      step += n_steps;
+      // Lines are ten seconds from each other at least.
+      clock += n_steps;
+      progress.update(step, time, 1, 1e-9, n_events);
+      const std::string::size_type place = out.str().rfind("time left");
+      return place == std::string::npos ? "" : out.str().substr(place);
+    }
+
+  private:
+    std::ostringstream out;
+    double             clock = 0;
+    unsigned int       step;
+    Progress           progress;
+  };
+} // namespace
+
+
+
 TEST(Progress, EstimatesTheTimeLeftFromEvents)
 {
-  std::ostringstream out;
-  double             now = 0;
-  Progress           progress(out, false, 100, [&now]() { return now; });
-  progress.update(1, 1, 1e-9, 0);
-  now = 60;
-  progress.update(10, 1, 1e-9, 1);
-  now = 120;
-  progress.update(20, 1, 1e-9, 2);
-  now             = 125;
-  const auto last = [&out]() {
-    const std::size_t place = out.str().rfind("time left");
-    return place == std::string::npos ? "" : out.str().substr(place);
-  };
-  // Six seconds a second up to the last event: 480 s for the rest.
-  EXPECT_EQ(last(), "time left 8:00\n");
-  now = 150;
-  progress.update(29, 1, 1e-9, 2);
-  // Of which 30 s have passed, in which most of a cycle went by.
-  EXPECT_EQ(last(), "time left 7:30\n");
-  // A cycle that takes far longer than those before sets the pace.
-  now = 1120;
-  progress.update(30, 1, 1e-9, 2);
-  EXPECT_EQ(last(), "time left 1:56:40\n");
+  TimeLeft left(0, 1, 0);
+  // Loading takes few steps: the first event is no measure for the others.
+  EXPECT_EQ(left.after(19, 10, 0), "time left at least 3:00\n");
+  EXPECT_EQ(left.after(20, 20, 1), "time left at least 2:40\n");
+  // Sixty steps from one to the next, and seven of them to come.
+  EXPECT_EQ(left.after(60, 30, 2), "time left 7:00\n");
+  EXPECT_EQ(left.after(30, 39, 2), "time left 6:30\n");
+  EXPECT_EQ(left.after(30, 40, 3), "time left 6:00\n");
+  // The later half of three events is from the second to the third.
+  EXPECT_EQ(left.after(120, 50, 4), "time left 7:30\n");
+  // Steps that are more than in all cycles before set the pace.
+  EXPECT_EQ(left.after(1620, 60, 4), "time left 40:00\n");
+}
+
+
+
+TEST(Progress, TakesEventsAtOnceForOne)
+{
+  // One rupture on two faults, whose few steps between are no cycle.
+  TimeLeft left(0, 1, 0);
+  left.after(99, 20, 1);
+  EXPECT_EQ(left.after(10, 20.001, 2), "time left at least 7:20\n");
+  EXPECT_EQ(left.after(90, 40, 3), "time left 5:00\n");
+}
+
+
+
+TEST(Progress, KnowsOfEarlierStepsWhereARunGoesOn)
+{
+  // In the middle of an event, whose steps are tiny.
+  TimeLeft left(1000, 50, 3);
+  EXPECT_EQ(left.after(999, 50.001, 3), "time left at least 33:20\n");
 }
 
 

@@ -41,7 +41,11 @@ def slip_rates(axis, run, faults):
     axis.set_ylabel("slip rate [m/s]")
     title(axis, "Slip rate of " + ", ".join(faults)
           + ("" if is_one else " (dotted: mean)"))
-    axis.legend(loc="lower right", ncol=3)
+    if is_one:
+        # Events take the room up and down.
+        axis.legend(loc="lower right", bbox_to_anchor=(1, 0.98), ncol=3)
+    else:
+        axis.legend(loc="lower right", ncol=3)
 
 
 def means(axis, run, faults, column, name, unit):

@@ -18,6 +18,10 @@ namespace StickSlip
     // Wall time in s between two lines.
     constexpr double terminal_interval = 1;
     constexpr double file_interval     = 10;
+
+    // Least time between the ends of two events that count by themselves, over
+    // the time so far: one rupture may be an event of several faults.
+    constexpr double least_distance = 0.01;
   } // namespace
 
 
@@ -37,25 +41,25 @@ namespace StickSlip
 
 
   void
-  Progress::update(const double       new_time,
+  Progress::update(const unsigned int step,
+                   const double       time,
                    const double       new_step_size,
                    const double       new_slip_rate,
                    const unsigned int new_n_events)
   {
+    now = {static_cast<double>(step), time};
     if (!has_started)
       {
-        // A run may begin later than at zero.
-        start_time       = new_time - new_step_size;
-        n_earlier_events = n_events = new_n_events;
-        has_started                 = true;
+        n_earlier_steps = step - 1.;
+        n_events        = new_n_events;
+        has_started     = true;
       }
     if (new_n_events > n_events)
       {
-        n_events       = new_n_events;
-        time_of_event  = new_time;
-        clock_at_event = clock();
+        n_events = new_n_events;
+        if (ends.empty() || time - ends.back().time >= least_distance * time)
+          ends.push_back(now);
       }
-    time       = new_time;
     step_size  = new_step_size;
     slip_rate  = new_slip_rate;
     is_printed = false;
@@ -94,21 +98,18 @@ namespace StickSlip
   void
   Progress::print()
   {
-    last_print                   = clock();
-    is_printed                   = true;
-    const double duration_of_run = end_time - start_time;
+    last_print = clock();
+    is_printed = true;
     const double done =
-      duration_of_run > 0 ?
-        std::clamp((time - start_time) / duration_of_run, 0., 1.) :
-        1.;
+      end_time > 0. ? std::clamp(now.time / end_time, 0., 1.) : 1.;
 
     std::ostringstream line;
     line << std::fixed << std::setprecision(1) << std::setw(5) << 100. * done
-         << " %  t = " << std::setprecision(4) << time
+         << " %  t = " << std::setprecision(4) << now.time
          << " s  step = " << std::scientific << std::setprecision(1)
          << step_size << " s  largest slip rate = " << std::setprecision(2)
          << slip_rate << " m/s";
-    line << time_left(last_print);
+    line << time_left();
 
     std::string text = line.str();
     if (is_terminal)
@@ -127,25 +128,22 @@ namespace StickSlip
 
 
   std::string
-  Progress::time_left(const double now) const
+  Progress::time_left() const
   {
-    if (time <= start_time || time >= end_time)
+    if (now.time <= 0. || now.time >= end_time)
       return "";
-    const auto at_pace = [this](const double wall, const double simulated) {
-      return simulated > 0. ? wall / simulated * (end_time - time) : 0.;
-    };
-    if (n_events == n_earlier_events)
+    const double time_of_step =
+      (last_print - start_of_run) / (now.steps - n_earlier_steps);
+    if (ends.size() < 2)
       return "  time left at least " +
-             duration(at_pace(now - start_of_run, time - start_time));
-    // The present cycle is under way: its time does not come again, but what
-    // is left takes the pace of it at least.
-    const double until_end = (clock_at_event - start_of_run) /
-                             (time_of_event - start_time) *
-                             (end_time - time_of_event);
+             duration(time_of_step * steps_left(Moment(), now));
+    // Steps since the last event are part of the next one; more of them than in
+    // those before set the pace.
+    const Moment &first = ends[(ends.size() - 1) / 2], &last = ends.back();
     return "  time left " +
-           duration(
-             std::max(until_end - (now - clock_at_event),
-                      at_pace(now - clock_at_event, time - time_of_event)));
+           duration(time_of_step *
+                    std::max(steps_left(first, last) - (now.steps - last.steps),
+                             steps_left(first, now)));
   }
 
 

@@ -315,7 +315,8 @@ namespace StickSlip
           if (files->openings)
             files->openings->add(last_step.time, last_faults);
           if (last_step.step > 0)
-            files->progress.update(last_step.time,
+            files->progress.update(last_step.step,
+                                   last_step.time,
                                    last_step.step_size,
                                    last_slip_rate,
                                    files->catalogue.entries().size());

@@ -325,7 +325,7 @@ namespace StickSlip
     if (energy)
       {
         TimerOutput::Scope section(timer, "Energy balance");
-        energy->add(state(), step.contact_energy);
+        energy->add(state(), step.step_size, step.contact_energy);
       }
     TimerOutput::Scope section(timer, "Output");
     if (record)

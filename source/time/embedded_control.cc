@@ -28,10 +28,10 @@ namespace StickSlip
                    const StepResult<dim>                &step)
     {
       if (step.slip_rate_before_impacts.empty())
-        return history.record(step.state);
+        return history.record(step.state, step.step_size);
       SystemState<dim> state = step.state;
       state.slip_rate        = step.slip_rate_before_impacts;
-      return history.record(state);
+      return history.record(state, step.step_size);
     }
   } // namespace
 
@@ -69,7 +69,7 @@ namespace StickSlip
                   memory.proposed = this->on_grid(factor * tau);
                 memory.just_rejected = false;
                 if (!result.slip_rate_before_impacts.empty())
-                  now = history.record(result.state);
+                  now = history.record(result.state, tau);
                 // Rates that have jumped begin anew, and short steps to the
                 // moment of contact tell nothing of longer ones.
                 if (contact || history.estimate_error(now) > tolerance)
@@ -83,7 +83,7 @@ namespace StickSlip
             reason  = "the estimated error stays above Time/Tolerance";
             contact = result.slip_rate_before_impacts.empty() ?
                         std::optional<double>() :
-                        this->time_of_contact(state, result.state);
+                        this->time_of_contact(state, result);
           }
         else
           contact.reset();

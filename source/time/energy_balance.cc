@@ -62,12 +62,12 @@ namespace StickSlip
   template <int dim, int n_components>
   void
   EnergyBalance<dim, n_components>::add(const SystemState<dim> &state,
+                                        const double            tau,
                                         const ContactEnergy    &contact)
   {
-    const double half_step = 0.5 * (state.time - account.last_time);
-    account.work.add(half_step, account.last_powers);
+    account.work.add(tau / 2., account.last_powers);
     restart(state);
-    account.work.add(half_step, account.last_powers);
+    account.work.add(tau / 2., account.last_powers);
     account.work.contact += contact.lost;
     account.work.loads += contact.of_offset;
   }
@@ -78,7 +78,6 @@ namespace StickSlip
   void
   EnergyBalance<dim, n_components>::restart(const SystemState<dim> &state)
   {
-    account.last_time   = state.time;
     account.last_powers = powers(state);
   }
 

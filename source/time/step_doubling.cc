@@ -7,14 +7,16 @@ namespace StickSlip
 {
   namespace
   {
-    /** The value at @p time of the linear function through two states. */
+    /** The value of the linear function through two states a time @p span from
+     * each other, a time @p beyond the second one. */
     template <int dim>
     Prediction<dim>
     on_line_through(const SystemState<dim> &a,
                     const SystemState<dim> &b,
-                    const double            time)
+                    const double            span,
+                    const double            beyond)
     {
-      const double    s = (time - b.time) / (b.time - a.time);
+      const double    s = beyond / span;
       Prediction<dim> result;
       result.velocity = b.velocity;
       result.velocity.sadd(1. + s, -s, a.velocity);
@@ -38,12 +40,14 @@ namespace StickSlip
   StepDoubling<dim, n_components>::accepted_steps(const SystemState<dim> &state,
                                                   StepMemory<dim> &memory)
   {
-    // A step that begins on the line through two states.
+    // A step that begins on the line through two states, at its end.
     const auto take_along = [&](const SystemState<dim> &a,
                                 const SystemState<dim> &b,
+                                const double            span,
+                                const double            beyond,
                                 const SystemState<dim> &from,
                                 const double            tau) {
-      const Prediction<dim> prediction = on_line_through(a, b, from.time + tau);
+      const Prediction<dim> prediction = on_line_through(a, b, span, beyond);
       return this->take(memory, from, tau, &prediction);
     };
 
@@ -56,13 +60,18 @@ namespace StickSlip
         StepResult<dim> first, second;
         std::string     reason;
         if (!large)
-          large = memory.before ?
-                    take_along(*memory.before, state, state, 2. * tau) :
-                    this->take(memory, state, 2. * tau);
+          large = memory.before ? take_along(*memory.before,
+                                             state,
+                                             memory.since_before,
+                                             2. * tau,
+                                             state,
+                                             2. * tau) :
+                                  this->take(memory, state, 2. * tau);
         if (large->converged)
-          first = take_along(state, large->state, state, tau);
+          first = take_along(state, large->state, 2. * tau, -tau, state, tau);
         if (first.converged)
-          second = take_along(state, large->state, first.state, tau);
+          second =
+            take_along(state, large->state, 2. * tau, 0., first.state, tau);
         if (second.converged)
           {
             std::vector<double> alpha_difference = second.state.alpha;
@@ -77,7 +86,8 @@ namespace StickSlip
                 if (growth * difference <= threshold)
                   memory.proposed =
                     std::min<double>(2. * tau, this->parameters.largest_step);
-                memory.before = state;
+                memory.before       = state;
+                memory.since_before = 2. * tau;
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(first));
                 accepted.push_back(std::move(second));

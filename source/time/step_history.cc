@@ -12,10 +12,11 @@ namespace StickSlip
 {
   template <int dim, int n_components>
   PastState<dim>
-  StepHistory<dim, n_components>::record(const SystemState<dim> &state) const
+  StepHistory<dim, n_components>::record(const SystemState<dim> &state,
+                                         const double step_size) const
   {
     PastState<dim> result;
-    result.time             = state.time;
+    result.step_size        = step_size;
     result.velocity         = state.velocity;
     result.alpha            = state.alpha;
     result.slip_rate        = state.slip_rate;
@@ -56,7 +57,7 @@ namespace StickSlip
         return alpha;
       }
     const std::vector<double> &older = records[1].state_rate;
-    const double ratio = tau / (records[0].time - records[1].time);
+    const double               ratio = tau / records[0].step_size;
     for (unsigned int k = 0; k < alpha.size(); ++k)
       alpha[k] += tau * (newest[k] + ratio / 2. * (newest[k] - older[k]));
     return alpha;
@@ -74,7 +75,7 @@ namespace StickSlip
                                state.contact_pressure};
     if (records.size() >= 2)
       {
-        const double ratio = tau / (records[0].time - records[1].time);
+        const double ratio = tau / records[0].step_size;
         prediction.velocity.add(ratio,
                                 records[0].velocity,
                                 -ratio,
@@ -93,13 +94,12 @@ namespace StickSlip
   std::vector<double>
   StepHistory<dim, n_components>::state_errors(const PastState<dim> &now) const
   {
-    const double h = now.time - records[0].time;
     // Without a past there is only the forward Euler prediction: its error is
     // -alpha''/2 h^2, that of the step of higher order.
     double factor = 0.5;
     if (records.size() >= 2)
-      factor = 1. / (3. * (1. + (records[0].time - records[1].time) / h));
-    std::vector<double> errors = predict_alpha(h);
+      factor = 1. / (3. * (1. + records[0].step_size / now.step_size));
+    std::vector<double> errors = predict_alpha(now.step_size);
     for (unsigned int k = 0; k < errors.size(); ++k)
       errors[k] = factor * (now.alpha[k] - errors[k]);
     // The rate of the state jumps where sides part or meet, which tells nothing
@@ -123,9 +123,9 @@ namespace StickSlip
     if (records.size() < 3)
       return state_error;
 
-    const double h  = now.time - records[0].time;
-    const double h1 = records[0].time - records[1].time;
-    const double h2 = records[1].time - records[2].time;
+    const double h  = now.step_size;
+    const double h1 = records[0].step_size;
+    const double h2 = records[1].step_size;
     const double c0 = scheme.error_constant(h, h1);
     const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
     // Lagrange weights of the quadratic through the last three values.

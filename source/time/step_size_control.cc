@@ -40,10 +40,11 @@ namespace StickSlip
   std::optional<double>
   StepSizeController<dim, n_components>::time_of_contact(
     const SystemState<dim> &from,
-    const SystemState<dim> &to) const
+    const StepResult<dim>  &step_taken) const
   {
-    const double tau      = to.time - from.time;
-    double       earliest = tau;
+    const SystemState<dim> &to       = step_taken.state;
+    const double            tau      = step_taken.step_size;
+    double                  earliest = tau;
     for (unsigned int k = 0; k < to.gap.size(); ++k)
       if (from.gap[k] > 0. && to.gap[k] == 0. && from.opening_rate[k] < 0.)
         earliest = std::min(earliest, -from.gap[k] / from.opening_rate[k]);
@@ -73,7 +74,7 @@ namespace StickSlip
         energy.lost <= parameters.impact_tolerance * energy.kinetic)
       return result;
 
-    const std::optional<double> before = time_of_contact(from, result.state);
+    const std::optional<double> before = time_of_contact(from, result);
     if (!before || *before < least_part * tau ||
         *before > (1. - least_part) * tau)
       return result;
@@ -107,7 +108,7 @@ namespace StickSlip
                                           step.scheme(),
                                           memory.past);
     if (memory.past.empty())
-      result.add(result.record(state));
+      result.add(result.record(state, 0.));
     return result;
   }
 
@@ -215,7 +216,7 @@ namespace StickSlip
             StepResult<dim> result = this->take(memory, state, tau);
             if (result.converged)
               {
-                PastState<dim> now = history.record(result.state);
+                PastState<dim> now = history.record(result.state, tau);
                 memory.largest_error =
                   std::max(memory.largest_error, history.estimate_error(now));
                 history.add(std::move(now));

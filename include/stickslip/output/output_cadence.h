@@ -6,6 +6,7 @@
 
 #include <stickslip/base/automatic_number.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace StickSlip
@@ -68,9 +69,10 @@ namespace StickSlip
         return true;
 
       // Times are sums of steps: an interval of ten steps of 0.1 must not last
-      // eleven.
-      const double rounding = 1e-12 * std::abs(time);
-      const double interval = time - last.time + rounding;
+      // eleven. After centuries the first bound would be steps of an event.
+      const double passed   = time - last.time;
+      const double rounding = std::min(1e-12 * std::abs(time), 1e-6 * passed);
+      const double interval = passed + rounding;
       if (interval >= parameters.longest_interval)
         return true;
       if (interval < parameters.shortest_interval)

@@ -7,17 +7,19 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace StickSlip
 {
   /**
    * Progress of a run for the user: percent done, simulated time, step size,
    * largest slip rate and estimated time left. Events take most of the steps:
-   * the time left is estimated from the time up to the end of the last one,
-   * as if events came as often until the end; before there is one, all that is
-   * known is that it takes at least what steps have taken so far. On a terminal
-   * one line is rewritten, at most once a second; elsewhere plain lines follow
-   * each other, at most one in ten seconds.
+   * those that are left are estimated as if they came as often until the end as
+   * in the later half of the events so far, since what a run begins with
+   * is no measure for what follows. Before two events have ended, all that is
+   * known is that it takes at least the steps for each second that there have
+   * been so far. On a terminal one line is rewritten, at most once a second;
+   * elsewhere plain lines follow each other, at most one in ten seconds.
    */
   class Progress
   {
@@ -31,11 +33,12 @@ namespace StickSlip
              const std::function<double()> clock = wall_clock);
 
     /**
-     * Report an accepted step, and how many events have ended so far; prints if
-     * enough time has passed.
+     * Report the accepted step of number @p step, from one, and how many events
+     * have ended so far; prints if enough time has passed.
      */
     void
-    update(const double       time,
+    update(const unsigned int step,
+           const double       time,
            const double       step_size,
            const double       slip_rate,
            const unsigned int n_events = 0);
@@ -55,7 +58,22 @@ namespace StickSlip
 
     /** The estimate in words, empty where there is none. */
     std::string
-    time_left(const double now) const;
+    time_left() const;
+
+    /** A number of steps, and the time after them. */
+    struct Moment
+    {
+      double steps = 0;
+      double time  = 0;
+    };
+
+    /** Steps until the end at the pace of those between two moments. */
+    double
+    steps_left(const Moment &from, const Moment &to) const
+    {
+      return (to.steps - from.steps) / (to.time - from.time) *
+             (end_time - to.time);
+    }
 
     std::ostream           &out;
     bool                    is_terminal;
@@ -67,17 +85,18 @@ namespace StickSlip
 
     bool   has_report  = false;
     bool   is_printed  = false;
-    double time        = 0;
-    double step_size   = 0;
-    double slip_rate   = 0;
-    double start_time  = 0;
     bool   has_started = false;
+    Moment now;
+    double step_size = 0;
+    double slip_rate = 0;
 
-    /** Events before this run, and with them; simulated and wall time when the
-     * last one had ended. */
-    unsigned int n_earlier_events = 0, n_events = 0;
-    double       time_of_event = 0, clock_at_event = 0;
-    std::size_t  last_length = 0;
+    /** Steps before this run, which may go on with another one. */
+    double n_earlier_steps = 0;
+
+    /** Number of events so far, and ends of those of this run. */
+    unsigned int        n_events = 0;
+    std::vector<Moment> ends;
+    std::size_t         last_length = 0;
   };
 
   /**

@@ -56,8 +56,7 @@ namespace StickSlip
     /** Kinetic and elastic energy at the start, J. */
     double initial_energy = 0;
 
-    /** The last state taken in: its time, s, and the powers there. */
-    double      last_time = 0;
+    /** Powers in the last state taken in. */
     EnergyTerms last_powers;
 
     /** Work since the start. */
@@ -68,7 +67,7 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &initial_energy &last_time &last_powers &work;
+      archive &initial_energy &last_powers &work;
     }
   };
 
@@ -104,10 +103,12 @@ namespace StickSlip
     void
     start(const SystemState<dim> &state);
 
-    /** Add a step to @p state, before the contact mapping follows it; @p
-     * contact: what goes the way of faults that open in it. */
+    /** Add a step to @p state of size @p tau, before the contact mapping
+     * follows it; @p contact: what goes the way of faults that open in it. */
     void
-    add(const SystemState<dim> &state, const ContactEnergy &contact = {});
+    add(const SystemState<dim> &state,
+        const double            tau,
+        const ContactEnergy    &contact);
 
     /** Go on from @p state after contact mapping and velocities have changed;
      * the energy that this adds or takes goes into the defect. */

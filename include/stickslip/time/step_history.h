@@ -53,9 +53,9 @@ namespace StickSlip
       , records(records)
     {}
 
-    /** The memory of a state. */
+    /** The memory of a state after a step of that size. */
     PastState<dim>
-    record(const SystemState<dim> &state) const;
+    record(const SystemState<dim> &state, const double step_size) const;
 
     /** Take in an accepted state. */
     void

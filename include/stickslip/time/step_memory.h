@@ -18,7 +18,10 @@ namespace StickSlip
   template <int dim>
   struct PastState
   {
-    double              time = 0;
+    /** Size of the step to this state, s; zero at the start. Differences of
+     * times would not do: of two times after centuries they have an error of
+     * microseconds, a thousandth of the steps of an event. */
+    double              step_size = 0;
     NodalVector         velocity;
     std::vector<double> alpha;
     std::vector<double> state_rate;
@@ -38,7 +41,7 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &alpha &state_rate &normal_stress &contact_pressure
+      archive &step_size &alpha &state_rate &normal_stress &contact_pressure
         &slip_rate &friction &in_contact &is_open;
     }
   };
@@ -55,6 +58,9 @@ namespace StickSlip
 
     /** Step doubling: where the last accepted pair of steps began. */
     std::optional<SystemState<dim>> before;
+
+    /** Step doubling: size of that pair, s. */
+    double since_before = 0;
 
     /** Size of the next step as far as the error goes, s; zero before the
      * first. */
@@ -93,8 +99,8 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       bool has_before = before.has_value();
-      archive &past &has_before &proposed &just_rejected &last_error
-        &largest_error &largest_loads &n_rejected &n_solved &work;
+      archive &past &has_before &since_before &proposed &just_rejected
+        &last_error &largest_error &largest_loads &n_rejected &n_solved &work;
       if (has_before)
         {
           if (!before)

@@ -89,12 +89,11 @@ namespace StickSlip
          const double            tau,
          const Prediction<dim>  *prediction = nullptr) const;
 
-    /** The time from the start of the step @p from to @p to until the first gap
-     * that it closes is closed at the rate of the start, s, if that is inside
-     * of it. */
+    /** The time from the start of a step until the first gap that it closes is
+     * closed at the rate of the start, s, if that is inside of it. */
     std::optional<double>
     time_of_contact(const SystemState<dim> &from,
-                    const SystemState<dim> &to) const;
+                    const StepResult<dim>  &step_taken) const;
 
     /** Count a rejection; throws if the next size is too small, or if the run
      * is to stop. */
