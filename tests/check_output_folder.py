@@ -199,16 +199,17 @@ def check_openings(folder, faults, summary):
 
 
 def check_energies(folder):
-    """Yield what is wrong in energy.csv: its rows are those of time_series.csv."""
+    """Yield what is wrong in energy.csv: its times are those of faults.h5."""
     if not (folder / "energy.csv").is_file():
         return
-    tables = []
-    for name in ("energy.csv", "time_series.csv"):
-        with open(folder / name, newline="") as file:
-            tables.append(list(csv.DictReader(file)))
-    if [row["time"] for row in tables[0]] != [row["time"] for row in tables[1]]:
-        yield "energy.csv has other times than time_series.csv"
-    for row in tables[0]:
+    with open(folder / "energy.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    if (folder / "faults.h5").is_file():
+        with h5py.File(folder / "faults.h5", "r") as file:
+            times = [group["time"][:].ravel().tolist() for group in file.values()]
+        if [float(row["time"]) for row in rows] != times[0]:
+            yield "energy.csv has other times than faults.h5"
+    for row in rows:
         if not all(math.isfinite(float(value)) for value in row.values()):
             yield f"energy.csv has a value that is not finite: {row}"
 

@@ -275,7 +275,7 @@ namespace StickSlip
     write(state,
           energy,
           every > 0 && step.step > 0 && step.step % every == 0,
-          scene.output.write_faults &&
+          (scene.output.write_faults || energy != nullptr) &&
             fault_cadence.is_due(step.time, last_slip_rate),
           !stations.tables().empty() &&
             station_cadence.is_due(step.time, last_slip_rate),
@@ -290,15 +290,16 @@ namespace StickSlip
     const SystemState<dim>                 &state,
     const EnergyBalance<dim, n_components> *energy,
     const bool                              series,
-    const bool                              fault_history,
+    const bool                              faults,
     const bool                              at_stations,
     const bool                              fields)
   {
     std::optional<EnergyRecord> energies;
-    if (series && energy != nullptr)
+    if (faults && energy != nullptr)
       energies = energy_record(*energy, state);
-    const bool volume   = fields && scene.output.write_volume,
-               surfaces = fields && scene.output.write_fault_surfaces;
+    const bool fault_history = faults && scene.output.write_faults;
+    const bool volume        = fields && scene.output.write_volume,
+               surfaces      = fields && scene.output.write_fault_surfaces;
     const VolumeNodalValues values =
       volume ? gather_volume(state) : VolumeNodalValues();
     std::vector<std::vector<double>> station_values;
@@ -324,15 +325,13 @@ namespace StickSlip
       if (series)
         {
           files->time_series->add(last_step, last_faults);
-          if (energies)
-            files->energies->add(*energies);
           in_time_series = true;
         }
+      if (energies && files->energies)
+        files->energies->add(*energies);
       if (fault_history)
-        {
-          files->history->add(last_step.time, last_faults);
-          in_fault_history = true;
-        }
+        files->history->add(last_step.time, last_faults);
+      in_fault_history = in_fault_history || faults;
       if (at_stations)
         files->stations->add(last_step.time, station_values);
       // A file that cannot be written leaves a gap, and the next one is tried.
@@ -349,7 +348,7 @@ namespace StickSlip
       if (fields)
         --n_missed;
     });
-    if (fault_history)
+    if (faults)
       fault_cadence.note_written(last_step.time, last_slip_rate);
     if (at_stations)
       {
@@ -502,7 +501,7 @@ namespace StickSlip
     write(state,
           energy,
           scene.output.time_series_steps > 0 && !written.first,
-          scene.output.write_faults && !written.second,
+          (scene.output.write_faults || energy != nullptr) && !written.second,
           !stations.tables().empty() && !in_stations,
           has_fields() && !in_fields);
     carry_out_agreed(communicator, [&]() {

@@ -209,6 +209,8 @@ namespace StickSlip
                           run_state.expected_slip);
     problem.set_prestress(run_state.prestress);
     prepare();
+    if (energy)
+      energy->resume(state());
     rate_state_step->recall(run_state.linearisations);
   }
 
@@ -317,16 +319,16 @@ namespace StickSlip
   {
     RunCounts &counts = run_state.counts;
     counts.add(step.step_size, step.counts);
+    if (energy)
+      {
+        TimerOutput::Scope section(timer, "Energy balance");
+        energy->add(step);
+      }
     run_state.system = std::move(step.state);
     if (following_stress.is_needed())
       counts.most_in_tension = std::max(
         counts.most_in_tension,
         following_stress.n_in_tension(faults, laws, state().contact_pressure));
-    if (energy)
-      {
-        TimerOutput::Scope section(timer, "Energy balance");
-        energy->add(state(), step.step_size, step.contact_energy);
-      }
     TimerOutput::Scope section(timer, "Output");
     if (record)
       record->add({counts.accepted,

@@ -4,9 +4,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/base/magnitude.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/energy_balance.h>
 
-#include <utility>
 #include <vector>
 
 namespace StickSlip
@@ -35,15 +35,20 @@ namespace StickSlip
 
 
 
-  void
-  EnergyTerms::add(const double factor, const EnergyTerms &other)
+  template <int dim, int n_components>
+  EnergyBalance<dim, n_components>::EnergyBalance(
+    SpatialProblem<dim, n_components> &problem,
+    const FaultNodes<dim>             &faults,
+    const NodeLaws                    &laws,
+    EnergyAccount                     &account)
+    : problem(problem)
+    , faults(faults)
+    , laws(laws)
+    , account(account)
+    , change(problem.make_vector())
   {
-    loads += factor * other.loads;
-    driven_sides += factor * other.driven_sides;
-    viscosity += factor * other.viscosity;
-    friction += factor * other.friction;
-    radiation += factor * other.radiation;
-    contact += factor * other.contact;
+    last.displacement = last.velocity = last.viscous_force = change;
+    end                                                    = last;
   }
 
 
@@ -61,102 +66,182 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
-  EnergyBalance<dim, n_components>::add(const SystemState<dim> &state,
-                                        const double            tau,
-                                        const ContactEnergy    &contact)
+  EnergyBalance<dim, n_components>::restart(const SystemState<dim> &state)
   {
-    account.work.add(tau / 2., account.last_powers);
-    restart(state);
-    account.work.add(tau / 2., account.last_powers);
-    account.work.contact += contact.lost;
-    account.work.loads += contact.of_offset;
+    resume(state);
+    set_fault_forces(state, state.slip_rate);
   }
 
 
 
   template <int dim, int n_components>
   void
-  EnergyBalance<dim, n_components>::restart(const SystemState<dim> &state)
+  EnergyBalance<dim, n_components>::resume(const SystemState<dim> &state)
   {
-    account.last_powers = powers(state);
+    set(last, state, state.velocity);
+    last_slip_rate = state.slip_rate;
   }
 
 
 
   template <int dim, int n_components>
-  EnergyTerms
-  EnergyBalance<dim, n_components>::powers(const SystemState<dim> &state) const
+  void
+  EnergyBalance<dim, n_components>::set(Moment                 &moment,
+                                        const SystemState<dim> &state,
+                                        const NodalVector      &velocity) const
   {
-    NodalVector v = problem.make_vector(), u = v;
-    problem.to_jumps(v, state.velocity);
-    problem.to_jumps(u, state.displacement);
-    const NodalVector f = problem.load(state.time);
-
-    // Terms of the equation and the vectors they are applied to.
-    std::vector<
-      std::pair<const BlockMatrix<n_components> *, const NodalVector *>>
-                forces;
-    NodalVector a;
-    if (problem.has(SpatialProblem<dim, n_components>::mass))
-      {
-        a = problem.make_vector();
-        problem.to_jumps(a, state.acceleration);
-        forces.emplace_back(
-          &problem.term(SpatialProblem<dim, n_components>::mass), &a);
-      }
+    problem.to_jumps(moment.displacement, state.displacement);
+    problem.to_jumps(moment.velocity, velocity);
+    moment.load = problem.load(state.time);
     if (problem.has(SpatialProblem<dim, n_components>::damping))
-      forces.emplace_back(
-        &problem.term(SpatialProblem<dim, n_components>::damping), &v);
-    forces.emplace_back(
-      &problem.term(SpatialProblem<dim, n_components>::stiffness), &u);
+      problem.term(SpatialProblem<dim, n_components>::damping)
+        .vmult(moment.viscous_force, moment.velocity);
+  }
 
-    EnergyTerms result;
-    result.loads = f * v;
-    if (problem.has(SpatialProblem<dim, n_components>::damping))
+
+
+  template <int dim, int n_components>
+  void
+  EnergyBalance<dim, n_components>::add(const StepResult<dim> &step)
+  {
+    double tau = step.step_size;
+    if (step.before_contact)
       {
-        NodalVector product = problem.make_vector();
-        problem.term(SpatialProblem<dim, n_components>::damping)
-          .vmult(product, v);
-        result.viscosity = product * v;
+        add_part(*step.before_contact, step.before_contact->step_size);
+        tau -= step.before_contact->step_size;
       }
+    add_part(step, tau);
+  }
 
+
+
+  template <int dim, int n_components>
+  void
+  EnergyBalance<dim, n_components>::add_part(const StepResult<dim> &step,
+                                             const double           tau)
+  {
+    const SystemState<dim> &to = step.state;
+    const bool  has_impact     = step.velocity_before_impacts.size() > 0;
+    const auto &slip_rate =
+      has_impact ? step.slip_rate_before_impacts : to.slip_rate;
+
+    set(end, to, has_impact ? step.velocity_before_impacts : to.velocity);
+    if (to.mean_velocity.size() > 0)
+      problem.to_jumps(change, to.mean_velocity);
+    else
+      {
+        change = end.velocity;
+        change.sadd(0.5, 0.5, last.velocity);
+      }
+    change *= tau;
+
+    EnergyTerms &work = account.work;
+    work.loads += 0.5 * (last.load * change + end.load * change);
+    if (problem.has(SpatialProblem<dim, n_components>::damping))
+      work.viscosity +=
+        0.5 * (last.viscous_force * change + end.viscous_force * change);
+    work.driven_sides += driven_work(tau);
+    if (has_impact)
+      set(end, to, to.velocity);
+    std::swap(last, end);
+
+    const std::vector<double> friction_before =
+                                std::move(account.friction_forces),
+                              radiation_before =
+                                std::move(account.radiation_forces);
+    set_fault_forces(to, slip_rate);
+    for (unsigned int d = 0, i = 0; d < dim - 1; ++d)
+      for (unsigned int k = 0; k < faults.size(); ++k, ++i)
+        {
+          const double slip =
+            tau * (to.mean_slip_rate.empty() ?
+                     0.5 * (last_slip_rate[k][d] + slip_rate[k][d]) :
+                     to.mean_slip_rate[k][d]);
+          work.friction +=
+            0.5 * (friction_before[i] + account.friction_forces[i]) * slip;
+          work.radiation +=
+            0.5 * (radiation_before[i] + account.radiation_forces[i]) * slip;
+        }
+    last_slip_rate = to.slip_rate;
+    work.contact += step.contact_energy.lost;
+    work.loads += step.contact_energy.of_offset;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  EnergyBalance<dim, n_components>::set_fault_forces(
+    const SystemState<dim>                &state,
+    const std::vector<Tensor<1, dim - 1>> &slip_rate)
+  {
+    account.friction_forces.assign((dim - 1) * faults.size(), 0.);
+    account.radiation_forces = account.friction_forces;
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      {
+        // Forces at nodes of known slip rate are those of driven sides.
+        if (faults.weights()[k] <= 0. || laws[k].is_prescribed)
+          continue;
+        const double V = magnitude(slip_rate[k]);
+        // Nodes at rest have the traction that balances all others.
+        const Tensor<1, dim - 1> traction =
+          V == 0. ? shear_traction(faults, laws, state, k) :
+                    state.normal_stress[k] *
+                      laws[k].friction->coefficient(
+                        V, laws[k].friction->node_data(state.alpha[k])) /
+                      V * slip_rate[k];
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            const unsigned int i       = d * faults.size() + k;
+            account.friction_forces[i] = faults.weights()[k] * traction[d];
+            account.radiation_forces[i] =
+              faults.weights()[k] * laws[k].radiation_damping * slip_rate[k][d];
+          }
+      }
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EnergyBalance<dim, n_components>::driven_work(const double tau) const
+  {
+    using Problem = SpatialProblem<dim, n_components>;
+
+    const bool has_mass = problem.has(Problem::mass);
+    for (const Moment *const moment : {&last, &end})
+      {
+        update_ghosts(moment->displacement);
+        if (has_mass)
+          update_ghosts(moment->velocity);
+      }
     // Prescribed velocities are the only ones that are not zero where a
     // component is fixed.
     const LevelDescription<n_components> &finest = problem.hierarchy().finest();
-    for (const auto &force : forces)
-      update_ghosts(*force.second);
-    double driven = 0.;
+    double                                work   = 0.;
     for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
       for (unsigned int c = 0; c < n_components; ++c)
         {
-          const double velocity = v.local_element(i * n_components + c);
-          if (finest.fixed.is_active(i, c) || velocity == 0.)
+          const unsigned int position = i * n_components + c;
+          const double       way      = change.local_element(position);
+          if (finest.fixed.is_active(i, c) || way == 0.)
             continue;
-          double force = -f.local_element(i * n_components + c);
-          for (const auto &[matrix, factor] : forces)
-            force += row_product(*matrix, i, c, *factor);
-          driven += force * velocity;
+          double force = 0.;
+          for (const Moment *const moment : {&last, &end})
+            force += 0.5 * (row_product(problem.term(Problem::stiffness),
+                                        i,
+                                        c,
+                                        moment->displacement) +
+                            moment->viscous_force.local_element(position) -
+                            moment->load.local_element(position));
+          if (has_mass)
+            force +=
+              (row_product(problem.term(Problem::mass), i, c, end.velocity) -
+               row_product(problem.term(Problem::mass), i, c, last.velocity)) /
+              tau;
+          work += force * way;
         }
-    result.driven_sides =
-      Utilities::MPI::sum(driven, finest.nodes.communicator());
-
-    // Every process has all nodes.
-    for (unsigned int k = 0; k < faults.size(); ++k)
-      {
-        const FrictionLaw &law = *laws[k].friction;
-        const double       V   = magnitude(state.slip_rate[k]);
-        if (faults.weights()[k] > 0. && V > 0.)
-          {
-            result.friction +=
-              faults.weights()[k] * state.normal_stress[k] *
-              law.coefficient(V, law.node_data(state.alpha[k])) * V;
-            // Forces at nodes of known slip rate are those of driven sides.
-            if (!laws[k].is_prescribed)
-              result.radiation +=
-                faults.weights()[k] * laws[k].radiation_damping * V * V;
-          }
-      }
-    return result;
+    return Utilities::MPI::sum(work, finest.nodes.communicator());
   }
 
 

@@ -531,7 +531,10 @@ namespace StickSlip
     const double      lost = stop_impacts(problem, fault_nodes, touching, w);
     energy.lost += lost;
     if (lost > 0.)
-      result.slip_rate_before_impacts = to.slip_rate;
+      {
+        result.velocity_before_impacts  = to.velocity;
+        result.slip_rate_before_impacts = to.slip_rate;
+      }
     time_scheme->set_end_force(
       to, from, tau, problem, before_impacts, w, reaction);
     if (energy.lost > 0.)

@@ -78,7 +78,7 @@ namespace StickSlip
     if (!before || *before < least_part * tau ||
         *before > (1. - least_part) * tau)
       return result;
-    const StepResult<dim> first = step.take(from, *before);
+    StepResult<dim> first = step.take(from, *before);
     count(first);
     if (!first.converged || first.contact_energy.lost >= energy.lost)
       return result;
@@ -90,8 +90,8 @@ namespace StickSlip
     second.step_size  = tau;
     second.state.time = result.state.time;
     second.counts += first.counts;
-    second.contact_energy.lost += first.contact_energy.lost;
-    second.contact_energy.of_offset += first.contact_energy.of_offset;
+    second.before_contact =
+      std::make_shared<const StepResult<dim>>(std::move(first));
     return second;
   }
 

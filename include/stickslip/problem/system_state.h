@@ -8,6 +8,7 @@
 
 #include <stickslip/algebra/node_partition.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -155,9 +156,15 @@ namespace StickSlip
     StepCounts       counts;
     ContactEnergy    contact_energy;
 
-    /** Slip rates at the end of the step before sides that have come together
-     * are stopped there, m/s; empty if there is nothing to stop. */
+    /** Velocity and slip rates at the end of the step before sides that have
+     * come together are stopped there, m/s; empty if there is nothing to stop.
+     */
+    NodalVector                     velocity_before_impacts;
     std::vector<Tensor<1, dim - 1>> slip_rate_before_impacts;
+
+    /** The part of the step before the moment of contact, where there are two;
+     * what is above then is of the second one, but sizes and counts. */
+    std::shared_ptr<const StepResult> before_contact;
   };
 } // namespace StickSlip
 

@@ -12,8 +12,7 @@
 namespace StickSlip
 {
   /**
-   * Rates at which the energy of the bodies changes, W (per m in plane
-   * strain), or their integrals over time, J.
+   * What changes the energy of the bodies, J (per m in plane strain).
    */
   struct EnergyTerms
   {
@@ -24,8 +23,7 @@ namespace StickSlip
     /** Dissipated by viscosity, by friction and by radiation damping,
      * positive. */
     double viscosity = 0, friction = 0, radiation = 0;
-    /** Taken by sides that come together and by bonds that break, positive:
-     * step by step, not as a power. */
+    /** Taken by sides that come together and by bonds that break, positive. */
     double contact = 0;
 
     /** Sum of all, as it adds to the kinetic and elastic energy. */
@@ -34,10 +32,6 @@ namespace StickSlip
     {
       return loads + driven_sides - viscosity - friction - radiation - contact;
     }
-
-    /** *this += factor * other. */
-    void
-    add(const double factor, const EnergyTerms &other);
 
     /** Members to or from a boost archive. */
     template <typename Archive>
@@ -56,8 +50,10 @@ namespace StickSlip
     /** Kinetic and elastic energy at the start, J. */
     double initial_energy = 0;
 
-    /** Powers in the last state taken in. */
-    EnergyTerms last_powers;
+    /** Forces of friction and of radiation damping in the last state taken in,
+     * over the slave nodes, N: of the first component of all, then of the
+     * next. */
+    std::vector<double> friction_forces, radiation_forces;
 
     /** Work since the start. */
     EnergyTerms work;
@@ -67,7 +63,7 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &initial_energy &last_powers &work;
+      archive &initial_energy &friction_forces &radiation_forces &work;
     }
   };
 
@@ -78,42 +74,40 @@ namespace StickSlip
    *
    * kinetic and elastic energy change by the work of the loads and of the
    * driven sides less what viscosity, friction and radiation damping dissipate.
-   * Without inertia there is no kinetic energy. Friction is taken
-   * from the law, not from the equation; its forces and all others are
-   * integrated over time by the trapezoidal rule. The defect then is the error
-   * of time stepping and solver as the energy sees it, of second order in the
-   * step size.
+   * Without inertia there is no kinetic energy. The work of a force in a step
+   * is the mean of the force at both ends on the change of the displacement,
+   * as Newmark's method has it, and the equation at both ends without mass: the
+   * balance is exact then. Friction is taken from the law at the state and slip
+   * rate that are written, so that what is missing is what iterations leave of
+   * the step, and what new contact mappings add or take.
    */
   template <int dim, int n_components = dim>
   class EnergyBalance
   {
   public:
-    /** Powers with one contact mapping. All must live longer. */
+    /** Work with one contact mapping. All must live longer. */
     EnergyBalance(SpatialProblem<dim, n_components> &problem,
                   const FaultNodes<dim>             &faults,
                   const NodeLaws                    &laws,
-                  EnergyAccount                     &account)
-      : problem(problem)
-      , faults(faults)
-      , laws(laws)
-      , account(account)
-    {}
+                  EnergyAccount                     &account);
 
-    /** Keep the account from @p state on. Collective, as the next two. */
+    /** Keep the account from @p state on. Collective, as the next three. */
     void
     start(const SystemState<dim> &state);
 
-    /** Add a step to @p state of size @p tau, before the contact mapping
-     * follows it; @p contact: what goes the way of faults that open in it. */
-    void
-    add(const SystemState<dim> &state,
-        const double            tau,
-        const ContactEnergy    &contact);
-
-    /** Go on from @p state after contact mapping and velocities have changed;
-     * the energy that this adds or takes goes into the defect. */
+    /** Go on from the last state taken in after the contact mapping and, maybe,
+     * velocities have changed, to those of @p state; the energy that this adds
+     * or takes goes into the defect. */
     void
     restart(const SystemState<dim> &state);
+
+    /** Go on from the last state taken in, which is @p state. */
+    void
+    resume(const SystemState<dim> &state);
+
+    /** Add a step from the last state taken in. */
+    void
+    add(const StepResult<dim> &step);
 
     /** Work since the start. */
     const EnergyTerms &
@@ -155,9 +149,33 @@ namespace StickSlip
     }
 
   private:
-    /** Powers at one time. */
-    EnergyTerms
-    powers(const SystemState<dim> &state) const;
+    /** Add a step of size @p tau that is one. */
+    void
+    add_part(const StepResult<dim> &step, const double tau);
+
+    /** Set the forces of faults to those of @p state with these slip rates. */
+    void
+    set_fault_forces(const SystemState<dim>                &state,
+                     const std::vector<Tensor<1, dim - 1>> &slip_rate);
+
+    /** One time of the run, in the jump basis. */
+    struct Moment
+    {
+      NodalVector displacement, velocity, load;
+      /** Zero without viscosity. */
+      NodalVector viscous_force;
+    };
+
+    /** Set a moment to that of @p state, at another @p velocity. */
+    void
+    set(Moment                 &moment,
+        const SystemState<dim> &state,
+        const NodalVector      &velocity) const;
+
+    /** Work of forces at sides of prescribed velocity, J, between last and end,
+     * a time @p tau from each other. */
+    double
+    driven_work(const double tau) const;
 
     /** 1/2 x . A x of nodal values and a term of the problem. */
     double
@@ -168,6 +186,14 @@ namespace StickSlip
     const FaultNodes<dim>             &faults;
     const NodeLaws                    &laws;
     EnergyAccount                     &account;
+
+    /** The last state taken in, the end of a step, and the change of the
+     * displacement in it. */
+    Moment      last, end;
+    NodalVector change;
+
+    /** Slip rates of the last state taken in, m/s. */
+    std::vector<Tensor<1, dim - 1>> last_slip_rate;
   };
 } // namespace StickSlip
 
