@@ -85,7 +85,7 @@ namespace
   {
     OpeningLayers<dim>   layers(bodies, true);
     LevelHierarchy<dim> &hierarchy = layers.problem.hierarchy();
-    // What scenes have whose faults may open.
+    // Sweeps of scenes whose faults may open.
     hierarchy.set_smoothing_sweeps(2);
     layers.problem.combine(Newmark<dim>().operator_coefficients(1e-2));
     std::cout << name << ':';

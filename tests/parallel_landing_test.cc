@@ -40,9 +40,12 @@ namespace
           const std::vector<double> before = alone.state().gap;
           shared.advance();
           alone.advance();
-          // All processes know both times.
-          EXPECT_EQ(shared.state().time, alone.state().time);
-          if (shared.state().time != alone.state().time)
+          // Steps that end at a contact do so by gaps, which the solver makes
+          // alike. All processes know both times.
+          const double difference =
+            std::abs(shared.state().time - alone.state().time);
+          EXPECT_LT(difference, 1e-9 * alone.state().time);
+          if (difference >= 1e-9 * alone.state().time)
             return;
           compare(shared, alone, before);
         }
@@ -93,9 +96,9 @@ namespace
   template <int dim>
   Landing<dim>
   expect_equal_landing(const std::string              &text,
-                       const std::vector<std::string> &entries)
+                       const std::vector<std::string> &entries,
+                       const double                    tolerance = 1e-9)
   {
-    constexpr double   tolerance = 1e-9;
     const Landing<dim> landing(read_opening_scene<dim>(text, entries));
     EXPECT_LE(landing.gap_error, tolerance * landing.gap);
     EXPECT_LE(landing.slip_error, tolerance * landing.slip);
@@ -172,6 +175,7 @@ TEST(ParallelLanding, OnPeriodicBodies)
 
 TEST(ParallelLanding, WithStepsThatFollowIt)
 {
+  // Steps end on moments of contact, which amplify what iterations leave.
   expect_equal_landing<2>(falling_block,
                           settled(
                             {"Bodies/block/Uniform refinements=2",
@@ -180,7 +184,8 @@ TEST(ParallelLanding, WithStepsThatFollowIt)
                              "Bodies/foundation/Material/Shear viscosity=3e5",
                              "Time/End time=0.06",
                              "Time/Largest step=2e-3",
-                             "Time/Initial step=2e-3"}));
+                             "Time/Initial step=2e-3"}),
+                          1e-7);
 }
 
 
