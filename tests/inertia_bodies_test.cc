@@ -219,52 +219,6 @@ TEST(Inertia, WithoutMassVelocitiesAreOfSecondOrderInTheBodiesToo)
 
 
 
-TEST(Inertia, BalanceOfEnergyWithoutMass)
-{
-  for (const std::string &inertia : without_inertia)
-    {
-      std::vector<double> defects;
-      for (const double tau : {0.01, 0.005, 0.0025})
-        {
-          Simulation<2> simulation(
-            read_scene(creeping_bodies,
-                       {"Time/Inertia=" + inertia,
-                        "Time/Step size control=constant",
-                        "Time/Largest step=" + std::to_string(tau),
-                        "Time/Rate-state tolerance=1e-11",
-                        "TNNMG/Tolerance=1e-11",
-                        "Time/End time=1",
-                        "Boundary conditions/upper top/x value=4e-3*t^4",
-                        "Boundary conditions/upper top/y condition=traction",
-                        "Boundary conditions/upper top/y value=-1e4*t^4",
-                        "Boundary conditions/upper top/Ramp length=0",
-                        "Output/Event start slip rate=1"}),
-            MPI_COMM_WORLD);
-          simulation.set_up();
-          while (!simulation.is_finished())
-            simulation.advance();
-          const EnergyBalance<2> &balance = *simulation.energy_balance();
-          const EnergyTerms      &work    = balance.work();
-          defects.push_back(balance.defect(simulation.state()));
-          std::cout << inertia << ", tau = " << tau << " s: driven sides "
-                    << work.driven_sides << ", viscosity " << work.viscosity
-                    << ", friction " << work.friction << ", radiation "
-                    << work.radiation << ", defect " << defects.back()
-                    << " J/m\n";
-          EXPECT_EQ(balance.kinetic_energy(simulation.state()), 0.);
-          EXPECT_EQ(work.radiation > 50. * std::abs(defects.back()),
-                    inertia == "quasi-dynamic");
-          for (const double term :
-               {work.loads, work.driven_sides, work.viscosity, work.friction})
-            EXPECT_GT(std::abs(term), 20. * std::abs(defects.back()));
-        }
-      EXPECT_NEAR(std::log2(defects[0] / defects[1]), 2., 0.2);
-      EXPECT_NEAR(std::log2(defects[1] / defects[2]), 2., 0.2);
-    }
-}
-
-
-
 TEST(Inertia, BodiesHeldByFrictionAlone)
 {
   // Multigrid against dense matrices, from rest into an event.

@@ -148,8 +148,12 @@ namespace StickSlip
                                "interrupted by the user")
            << ", t = " << state().time << " s";
     finish(ending.str());
+    const double missing = energy ? energy->defect(state()) : 0.;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
+        // Iterations leave far less.
+        constexpr double allowed_part = 1e-3;
+
         const double error = run_state.steps.largest_error;
         std::cout << "Run " << ending.str() << ". Results are in "
                   << scene.output.directory << '.' << std::endl;
@@ -159,6 +163,11 @@ namespace StickSlip
                     << ", more than Time/Tolerance = " << scene.time.tolerance
                     << ". Steps of one size do not follow the error."
                     << std::endl;
+        if (std::abs(missing) > allowed_part * run_state.energy.work.largest())
+          std::cout << "Warning: " << missing << (dim == 2 ? " J/m" : " J")
+                    << " are missing in the balance of energy, "
+                    << missing / run_state.energy.work.largest()
+                    << " of the largest work (summary.txt)." << std::endl;
       }
     return is_finished();
   }

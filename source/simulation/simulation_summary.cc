@@ -187,13 +187,7 @@ namespace StickSlip
         add("taken by contacts", work.contact);
       add("missing", defect);
 
-      const double largest = std::max({std::abs(work.driven_sides),
-                                       std::abs(work.loads),
-                                       work.friction,
-                                       work.viscosity,
-                                       work.radiation,
-                                       work.contact});
-      if (largest > 0.)
+      if (const double largest = work.largest(); largest > 0.)
         section.add("missing, over the largest work", defect / largest);
     }
 

@@ -9,6 +9,9 @@
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace StickSlip
 {
   /**
@@ -31,6 +34,18 @@ namespace StickSlip
     gain() const
     {
       return loads + driven_sides - viscosity - friction - radiation - contact;
+    }
+
+    /** The largest of all, without its sign. */
+    double
+    largest() const
+    {
+      return std::max({std::abs(loads),
+                       std::abs(driven_sides),
+                       viscosity,
+                       friction,
+                       radiation,
+                       contact});
     }
 
     /** Members to or from a boost archive. */
