@@ -19,10 +19,15 @@ namespace StickSlip
                control,
                {{StepSizeControl::embedded, "embedded"},
                 {StepSizeControl::step_doubling, "step doubling"},
-                {StepSizeControl::constant, "constant"}},
+                {StepSizeControl::constant, "constant"},
+                {StepSizeControl::runge_kutta, "Runge-Kutta"}},
                "How the step size is chosen: an error estimate from the past "
                "steps, one step of double size against two, or always the "
-               "largest step.");
+               "largest step. Runge-Kutta: explicit steps of fifth order by "
+               "Dormand and Prince with the error that these tell, on the "
+               "faults alone, with a dense matrix; only with 'Inertia' = "
+               "'quasi-dynamic', bodies without viscosity and faults that do "
+               "not open, on one process. No rate problem is solved then.");
     add_number(
       prm,
       "Tolerance",
