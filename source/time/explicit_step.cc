@@ -295,7 +295,7 @@ namespace StickSlip
     result.failure = "the estimated error stays above Time/Tolerance";
     error          = std::numeric_limits<double>::quiet_NaN();
 
-    // Where the step starts, and what drives it.
+    // The start of the step, and what drives it.
     NodalVector u = problem.make_vector();
     problem.to_jumps(u, from.displacement);
     const NodalVector load     = problem.load(from.time),

@@ -67,7 +67,7 @@ namespace StickSlip
       std::vector<double> force, pressure;
     };
 
-    /** What a stage tells of the rates. */
+    /** Rates at one of the times within a step. */
     struct Stage
     {
       Slip                slip_rate;
