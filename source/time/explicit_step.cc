@@ -180,23 +180,6 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
-  ExplicitStep<dim, n_components>::set_state_rates(
-    Stage                     &stage,
-    const std::vector<double> &alpha) const
-  {
-    stage.state_rate.assign(faults.size(), 0.);
-    for (unsigned int k = 0; k < faults.size(); ++k)
-      if (slips_freely(k) && laws[k].state_law)
-        stage.state_rate[k] =
-          laws[k].state_law->rate(alpha[k],
-                                  magnitude(stage.slip_rate[k]),
-                                  laws[k].characteristic_slip);
-  }
-
-
-
-  template <int dim, int n_components>
-  void
   ExplicitStep<dim, n_components>::set_force_rates(
     Stage            &stage,
     const ForceRates &drive) const
@@ -254,7 +237,13 @@ namespace StickSlip
           if (takes_part[d])
             stage.slip_rate[nodes[i]][d] = v[d];
       }
-    set_state_rates(stage, alpha);
+    stage.state_rate.assign(faults.size(), 0.);
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      if (slips_freely(k) && laws[k].state_law)
+        stage.state_rate[k] =
+          laws[k].state_law->rate(alpha[k],
+                                  magnitude(stage.slip_rate[k]),
+                                  laws[k].characteristic_slip);
     return true;
   }
 
@@ -291,7 +280,7 @@ namespace StickSlip
 
     StepResult<dim> result;
     result.step_size                    = tau;
-    result.counts.rate_state_iterations = n_stages - 1;
+    result.counts.rate_state_iterations = n_stages;
     result.failure = "the estimated error stays above Time/Tolerance";
     error          = std::numeric_limits<double>::quiet_NaN();
 
@@ -325,14 +314,11 @@ namespace StickSlip
 
     // Stages, of which the last one is the end.
     std::array<Stage, n_stages> stages;
-    stages[0].slip_rate = from.slip_rate;
-    set_state_rates(stages[0], from.alpha);
-    set_force_rates(stages[0], drive);
     // Slip rates that are prescribed may jump at the start of a run.
     const Slip known_slip     = faults.tangential_jumps(known),
                known_slip_end = faults.tangential_jumps(known_end);
     std::vector<double> alpha, force, pressure, normal_stress;
-    for (unsigned int i = 1; i < n_stages; ++i)
+    for (unsigned int i = 0; i < n_stages; ++i)
       {
         alpha    = from.alpha;
         force    = start.force;
@@ -353,7 +339,7 @@ namespace StickSlip
           following.is_needed() ?
             following.normal_stress(from.normal_stress, pressure) :
             from.normal_stress;
-        stages[i].slip_rate = stages[i - 1].slip_rate;
+        stages[i].slip_rate = i == 0 ? from.slip_rate : stages[i - 1].slip_rate;
         for (unsigned int k = 0; k < faults.size(); ++k)
           if (!slips_freely(k))
             stages[i].slip_rate[k] = known_slip_end[k];

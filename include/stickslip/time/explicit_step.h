@@ -101,10 +101,6 @@ namespace StickSlip
                const std::vector<double> &force,
                const std::vector<double> &normal_stress) const;
 
-    /** Set the rates of the state. */
-    void
-    set_state_rates(Stage &stage, const std::vector<double> &alpha) const;
-
     /** Set the rates of the forces; @p drive: what does not come from the
      * slip. */
     void
