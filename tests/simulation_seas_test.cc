@@ -109,7 +109,8 @@ TEST(SeasScenes, SlipOnAnUprightFaultLeavesTheNormalStressAsItIs)
       times.push_back(simulation.state().time);
     }
   EXPECT_GT(times[0], 1e6);
-  EXPECT_EQ(times[0], times[1]);
+  // Sizes of explicit steps are on no grid.
+  EXPECT_NEAR(times[0], times[1], 1e-6 * times[0]);
   double largest = 0.;
   for (unsigned int k = 0; k < faults[0].points.size(); ++k)
     if (faults[0].weights[k] > 0.)

@@ -337,6 +337,26 @@ namespace StickSlip
 
 
 
+    /** Explicit steps need slip rates that follow from the forces alone. */
+    template <int dim>
+    void
+    check_explicit(const SceneParameters<dim> &scene)
+    {
+      if (scene.time.control != StepSizeControl::runge_kutta)
+        return;
+      const std::string entry = naming("Time/Step size control", "Runge-Kutta");
+      if (scene.time.inertia != Inertia::quasi_dynamic)
+        throw InputError(entry +
+                         ": needs 'Time/Inertia' = 'quasi-dynamic', since slip "
+                         "rates must follow from the forces of each moment.");
+      for (const FaultParameters &fault : scene.faults)
+        if (fault.may_open())
+          throw InputError(entry + ": is for faults that do not open, but '" +
+                           fault.section() + "/Contact' = 'unilateral'.");
+    }
+
+
+
     /** Antiplane scenes have no displacements in the plane. */
     template <int dim>
     void
@@ -527,6 +547,7 @@ namespace StickSlip
     check_faults(scene);
     check_antiplane(scene);
     check_doubling(scene);
+    check_explicit(scene);
     check_boundary_conditions(scene);
     check_stations(scene);
 
@@ -559,6 +580,9 @@ namespace StickSlip
       return;
     const std::string ending = ": runs on one process only, but there are " +
                                std::to_string(n_processes) + ".";
+    if (scene.time.control == StepSizeControl::runge_kutta)
+      throw InputError(naming("Time/Step size control", "Runge-Kutta") +
+                       ending);
     if (scene.time.rate_solver == RateSolver::condensed_newton)
       throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
     const std::map<LinearCorrectionType, std::string> names = {

@@ -3,6 +3,7 @@
 
 #include <stickslip/base/time_resolution.h>
 #include <stickslip/time/embedded_control.h>
+#include <stickslip/time/explicit_control.h>
 #include <stickslip/time/step_doubling.h>
 #include <stickslip/time/step_size_control.h>
 
@@ -252,6 +253,9 @@ namespace StickSlip
           return std::make_unique<ConstantStep<dim, n_components>>(step,
                                                                    parameters,
                                                                    loads);
+        case StepSizeControl::runge_kutta:
+          return std::make_unique<ExplicitControl<dim, n_components>>(
+            step, parameters, loads);
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;

@@ -19,22 +19,30 @@ namespace StickSlip
                control,
                {{StepSizeControl::embedded, "embedded"},
                 {StepSizeControl::step_doubling, "step doubling"},
-                {StepSizeControl::constant, "constant"}},
+                {StepSizeControl::constant, "constant"},
+                {StepSizeControl::runge_kutta, "Runge-Kutta"}},
                "How the step size is chosen: an error estimate from the past "
                "steps, one step of double size against two, or always the "
-               "largest step.");
+               "largest step. Runge-Kutta: explicit steps of fifth order by "
+               "Dormand and Prince with the error that these tell, on the "
+               "faults alone, with a dense matrix; only with 'Inertia' = "
+               "'quasi-dynamic', bodies without viscosity and faults that do "
+               "not open, on one process. No rate problem is solved then.");
     add_number(
       prm,
       "Tolerance",
       tolerance,
       NumberRange().above(0),
-      "Error allowed in a step under the embedded control, in "
+      "Error allowed in a step under the embedded control and in "
+      "Runge-Kutta steps, in "
       "m^((d-1)/2): the L2 norm over the faults of the error of the "
       "logarithm of the state and, at each node, of the smaller one "
       "of two: the error of the friction coefficient over the larger "
       "one of a and b, times the normal stress over its mean; or that "
       "of the slip rate over the largest one of the fault. Before "
-      "three steps have been taken, the state alone counts. auto: 3e-6 "
+      "three steps have been taken, the state alone counts. In Runge-Kutta "
+      "steps it is the L2 norm of the errors of the logarithm of the state "
+      "and of the slip over the characteristic slip. auto: 3e-6 "
       "times the square root of the size of all faults over that of "
       "100 m (in three dimensions 100 m times 100 m), and not less "
       "than 3e-6.");

@@ -83,6 +83,18 @@ namespace StickSlip
       return node_laws;
     }
 
+    SpatialProblem<dim, n_components> &
+    spatial_problem() const
+    {
+      return problem;
+    }
+
+    const FollowingStress<dim> &
+    following_stress() const
+    {
+      return following;
+    }
+
     const TimeScheme<dim, n_components> &
     scheme() const
     {

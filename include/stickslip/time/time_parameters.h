@@ -25,7 +25,9 @@ namespace StickSlip
     /** One step of 2 tau against two of tau, as published. */
     step_doubling,
     /** Always the largest step. */
-    constant
+    constant,
+    /** Explicit steps of fifth order, without mass and viscosity. */
+    runge_kutta
   };
 
   /**
