@@ -15,7 +15,7 @@
 namespace StickSlip
 {
   /**
-   * What changes the energy of the bodies, J (per m in plane strain).
+   * Changes of the energy of the bodies, J (per m in plane strain).
    */
   struct EnergyTerms
   {
