@@ -50,9 +50,9 @@ namespace StickSlip
 
 
     /** Numbers with a unit in SI units. */
-    template <std::size_t unit>
     struct InUnit
     {
+      template <std::size_t unit>
       static double
       apply(double x)
       {

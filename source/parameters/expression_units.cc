@@ -235,9 +235,9 @@ namespace StickSlip
 
 
     /** Numbers with a unit: its dimensions. */
-    template <std::size_t unit>
     struct InUnit
     {
+      template <std::size_t unit>
       static double
       apply(double code)
       {

@@ -15,9 +15,11 @@
 namespace StickSlip
 {
   /** Define units_in_expressions() as operators that follow a number: unit
-   * number n is the function Operator<n>::apply, double of double, since
-   * muParser wants functions without data. */
-  template <template <std::size_t> class Operator, std::size_t... unit>
+   * number n is the function Operators::apply<n>, double of double, since
+   * muParser wants functions without data. (GCC takes templates that are
+   * arguments for the same if they have the same name in the unnamed
+   * namespaces of two files; classes it does not.) */
+  template <typename Operators, std::size_t... unit>
   void
   define_units(mu::Parser &parser, std::index_sequence<unit...>)
   {
@@ -27,17 +29,17 @@ namespace StickSlip
       if (i < units_in_expressions().size())
         parser.DefinePostfixOprt(units_in_expressions()[i].first, function);
     };
-    (define(unit, &Operator<unit>::apply), ...);
+    (define(unit, &Operators::template apply<unit>), ...);
   }
 
 
 
-  template <template <std::size_t> class Operator>
+  template <typename Operators>
   void
   define_units(mu::Parser &parser)
   {
     constexpr std::size_t most_units = 64;
-    define_units<Operator>(parser, std::make_index_sequence<most_units>());
+    define_units<Operators>(parser, std::make_index_sequence<most_units>());
   }
 } // namespace StickSlip
 
