@@ -548,9 +548,10 @@ namespace StickSlip
         end_of_path == std::string::npos)
       return message;
     std::string path = message.substr(1, end_of_path - 1);
-    // One of several components.
-    if (path.back() == ')')
-      path.erase(path.rfind(" ("));
+    // One of several components; the name itself may be misspelt as well.
+    if (const std::size_t component = path.rfind(" (");
+        component != std::string::npos && path.back() == ')')
+      path.erase(component);
     const Assignment *const assignment = find_or_inherited(path);
     if (assignment == nullptr)
       return with_origin_of_other(message, path);

@@ -216,15 +216,17 @@ namespace StickSlip
           update_ghosts(moment->velocity);
       }
     // Prescribed velocities are the only ones that are not zero where a
-    // component is fixed.
+    // component is fixed; without mass, normal jumps are not zero in the first
+    // step with a new contact mapping.
     const LevelDescription<n_components> &finest = problem.hierarchy().finest();
     double                                work   = 0.;
     for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
       for (unsigned int c = 0; c < n_components; ++c)
         {
           const unsigned int position = i * n_components + c;
-          const double       way      = change.local_element(position);
-          if (finest.fixed.is_active(i, c) || way == 0.)
+          if (finest.fixed.is_active(i, c) ||
+              (last.velocity.local_element(position) == 0. &&
+               end.velocity.local_element(position) == 0.))
             continue;
           double force = 0.;
           for (const Moment *const moment : {&last, &end})
@@ -239,7 +241,7 @@ namespace StickSlip
               (row_product(problem.term(Problem::mass), i, c, end.velocity) -
                row_product(problem.term(Problem::mass), i, c, last.velocity)) /
               tau;
-          work += force * way;
+          work += force * change.local_element(position);
         }
     return Utilities::MPI::sum(work, finest.nodes.communicator());
   }
