@@ -19,7 +19,7 @@ import h5py
 import numpy
 
 COLUMNS = ["step", "time", "step_size", "rate_state_iterations"]
-COLUMNS += ["tnnmg_iterations", "multigrid_cycles"]
+COLUMNS += ["tnnmg_iterations", "multigrid_cycles", "fault_error", "body_error"]
 FAULT_COLUMNS = ["max_slip_rate", "mean_slip_rate", "min_slip_rate"]
 FAULT_COLUMNS += ["mean_slip", "mean_state", "mean_shear_traction"]
 EVENT_COLUMNS = ["fault", "start", "peak_time", "end", "peak_mean_slip_rate"]

@@ -53,12 +53,13 @@ namespace
 
   double
   distance(const FaultNodes<2>       &faults,
-           std::vector<double>        a,
+           const std::vector<double> &a,
            const std::vector<double> &b)
   {
+    double sum = 0.;
     for (unsigned int k = 0; k < a.size(); ++k)
-      a[k] -= b[k];
-    return faults.l2_norm(a);
+      sum += faults.weights()[k] * (a[k] - b[k]) * (a[k] - b[k]);
+    return std::sqrt(sum);
   }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/faults/fault_norm.h>
 
 #include <cmath>
 #include <sstream>
@@ -56,7 +57,7 @@ namespace
     while (scene.state.time < 1.)
       EXPECT_EQ(scene.advance().front().step_size, tau);
     EXPECT_EQ(scene.state.time, 1.);
-    return scene.memory.last_error;
+    return scene.memory.last_error.faults;
   }
 
 
@@ -94,7 +95,8 @@ TEST(StepSizes, AreTheSameWheneverTheClockStarts)
         for (unsigned int i = 0; i < 60; ++i)
           for (const StepResult<2> &step : scene.advance())
             values.push_back(step.step_size);
-        values.push_back(scene.memory.last_error);
+        values.push_back(scene.memory.last_error.faults);
+        values.push_back(scene.memory.last_error.bodies);
         values.push_back(scene.state.alpha.front());
         return values;
       };
@@ -244,7 +246,8 @@ TEST(StepDoubling, AcceptsWhatAgreesWithOneLargeStep)
       std::vector<double> difference = large.state.alpha;
       for (unsigned int k = 0; k < difference.size(); ++k)
         difference[k] -= pair[1].state.alpha[k];
-      EXPECT_LE(scene.faults.l2_norm(difference), 1.001 * threshold);
+      EXPECT_LE(fault_norm(scene.faults, scene.laws, difference),
+                1.001 * threshold);
     }
 }
 
@@ -280,7 +283,8 @@ TEST(StepDoubling, DoublesWhereALongerStepIsExpectedToPass)
       std::vector<double> difference = large.state.alpha;
       for (unsigned int k = 0; k < difference.size(); ++k)
         difference[k] -= pair[1].state.alpha[k];
-      should_double = 4. * scene.faults.l2_norm(difference) <= threshold;
+      should_double =
+        4. * fault_norm(scene.faults, scene.laws, difference) <= threshold;
     }
   EXPECT_GT(n_doubled, 2u);
   EXPECT_GT(n_kept, 2u);
@@ -312,7 +316,7 @@ TEST(EmbeddedControl, HistorySurvivesARebuiltContactMapping)
   // steps, neither their size nor their prediction.
   rebuild_contact(rebuilt);
   const auto estimate = [](const SteppingScene &scene) {
-    return scene.memory.last_error;
+    return scene.memory.last_error.faults;
   };
   for (unsigned int i = 0; i < 4; ++i)
     {
@@ -323,4 +327,66 @@ TEST(EmbeddedControl, HistorySurvivesARebuiltContactMapping)
       EXPECT_EQ(estimate(rebuilt), estimate(kept));
       EXPECT_TRUE(same_bits(rebuilt.state, kept.state));
     }
+}
+
+
+
+// Lengths, velocities and displacements by the same factor at equal stresses:
+// times stay as they are where the density falls by its square.
+TEST(EmbeddedControl, TakesTheSameStepsOnFaultsOfAnySize)
+{
+  constexpr double size   = 8192.;
+  const auto       scaled = [](const double value) {
+    std::ostringstream text;
+    text.precision(17);
+    text << value * size;
+    return text.str();
+  };
+  Settings large = {"Faults/fault/Initial state=1 + 0.2 * x / 8192",
+                    "Faults/fault/Reference slip rate=" + scaled(1e-3),
+                    "Faults/fault/Characteristic slip=" + scaled(1e-3),
+                    "Boundary conditions/upper top/x value=" + scaled(1e-3),
+                    "Bodies/Base elevation=" + scaled(-0.5)};
+  for (const std::string body : {"Bodies/lower/", "Bodies/upper/"})
+    large =
+      large +
+      Settings{body + "Lower lateral corner=" + scaled(-1.),
+               body + "Upper lateral corner=" + scaled(1.),
+               body + "Thickness=" + scaled(0.5),
+               body + "Material/Density=" + scaled(5e3 / size / size / size)};
+  const auto steps_of = [](const Settings &overrides) {
+    SteppingScene       scene(creeping_bodies, overrides);
+    std::vector<double> steps;
+    for (const StepResult<2> &step : run(scene))
+      steps.push_back(step.step_size);
+    EXPECT_GT(scene.memory.largest_error.faults, 0.);
+    return steps;
+  };
+  const std::vector<double> small_steps = steps_of({});
+  EXPECT_GT(small_steps.size(), 50u);
+  EXPECT_EQ(steps_of(large), small_steps);
+}
+
+
+
+// Parts of a fault with a known slip rate, and other faults, do not dilute the
+// error.
+TEST(FaultNorm, IsTheMeanSquareOfTheFaultThatSlipsFreely)
+{
+  SteppingScene scene(creeping_bodies);
+  NodeLaws     &laws = scene.laws;
+  EXPECT_NEAR(fault_norm(scene.faults,
+                         laws,
+                         std::vector<double>(scene.faults.size(), 3.)),
+              3.,
+              1e-14);
+  laws.laws.push_back(laws.laws.front());
+  laws.laws.back().is_prescribed = true;
+  std::vector<double> values(scene.faults.size(), 3.);
+  for (unsigned int k = 0; k < values.size() / 2; ++k)
+    {
+      laws.of_node[k] = laws.laws.size() - 1;
+      values[k]       = 100.;
+    }
+  EXPECT_NEAR(fault_norm(scene.faults, laws, values), 3., 1e-14);
 }

@@ -56,7 +56,7 @@ TEST(LongSpringSlider, EventTimesHardlyDependOnTheTolerance)
     return RunHistory(published_scene("spring_slider", all)).events;
   };
   const std::vector<SlipEvent> coarse = first_events({}),
-                               fine   = first_events({"Time/Tolerance=3e-7"});
+                               fine   = first_events({"Time/Tolerance=1.3e-7"});
   ASSERT_GE(coarse.size(), 4u);
   ASSERT_GE(fine.size(), 4u);
   const double recurrence = (fine[3].start - fine[0].start) / 3.;

@@ -149,27 +149,31 @@ TEST(TimeSeries, HasTheColumnsAndAllDigits)
     step.rate_state_iterations = 4;
     step.tnnmg_iterations      = 5;
     step.multigrid_cycles      = 15;
+    step.fault_error           = 0.5;
+    step.body_error            = 0.25;
     series.add(step, {known_fault(), known_fault()});
   }
   const std::vector<std::string> lines =
     split(content_of(folder.file("time_series.csv")), '\n');
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0],
-            "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
-            "multigrid_cycles,main.max_slip_rate,main.mean_slip_rate,"
-            "main.min_slip_rate,main.mean_slip,main.mean_state,"
-            "main.mean_shear_traction,upper-2.max_slip_rate,"
-            "upper-2.mean_slip_rate,upper-2.min_slip_rate,upper-2.mean_slip,"
-            "upper-2.mean_state,upper-2.mean_shear_traction");
+  EXPECT_EQ(
+    lines[0],
+    "step,time,step_size,rate_state_iterations,tnnmg_iterations,"
+    "multigrid_cycles,fault_error,body_error,main.max_slip_rate,"
+    "main.mean_slip_rate,main.min_slip_rate,main.mean_slip,main.mean_state,"
+    "main.mean_shear_traction,upper-2.max_slip_rate,"
+    "upper-2.mean_slip_rate,upper-2.min_slip_rate,upper-2.mean_slip,"
+    "upper-2.mean_state,upper-2.mean_shear_traction");
   const std::vector<std::string> row = split(lines[1], ',');
-  ASSERT_EQ(row.size(), 18u);
+  ASSERT_EQ(row.size(), 20u);
   EXPECT_EQ(row[0], "7");
   EXPECT_EQ(std::stod(row[1]), 1. / 3);
   EXPECT_EQ(std::stod(row[2]), 0.1);
   EXPECT_EQ(row[3] + row[4] + row[5], "4515");
-  EXPECT_DOUBLE_EQ(std::stod(row[6]), 5e-6);
-  EXPECT_DOUBLE_EQ(std::stod(row[9]), -5);
-  EXPECT_EQ(row[17], row[11]);
+  EXPECT_EQ(row[6] + row[7], "0.50.25");
+  EXPECT_DOUBLE_EQ(std::stod(row[8]), 5e-6);
+  EXPECT_DOUBLE_EQ(std::stod(row[11]), -5);
+  EXPECT_EQ(row[19], row[13]);
 }
 
 
@@ -189,9 +193,9 @@ TEST(TimeSeries, HasTheGapsOfFaultsThatBend)
   ASSERT_EQ(lines.size(), 2u);
   const std::vector<std::string> titles = split(lines[0], ',');
   const std::vector<std::string> row    = split(lines[1], ',');
-  ASSERT_EQ(titles.size(), 19u);
+  ASSERT_EQ(titles.size(), 21u);
   EXPECT_EQ(titles.back(), "bent.largest_gap");
-  ASSERT_EQ(row.size(), 19u);
+  ASSERT_EQ(row.size(), 21u);
   EXPECT_EQ(std::stod(row.back()), 0.5);
 }
 

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
+#include <algorithm>
+#include <cmath>
 
 #include "endless_layers.h"
 #include "slip_rate_series.h"
@@ -109,6 +110,17 @@ namespace
     };
     return column;
   }
+
+
+
+  /** A traction on top in place of the pull, whose waves nearly reach the
+   * strength. */
+  const Settings waves_of_traction = {
+    "Boundary conditions/upper top/x condition=traction",
+    "Boundary conditions/upper top/x value=16e3",
+    "Boundary conditions/upper top/Ramp length=0.05",
+    "Output/Event start slip rate=1e-3",
+    "Time/End time=3"};
 
 
 
@@ -262,4 +274,119 @@ TEST(Column, SecondOrderInMeshAndStep)
           << update << ' ' << errors[i];
       EXPECT_LT(errors.back(), 1e-6);
     }
+}
+
+
+
+namespace
+{
+  /** The error of the last step of @p scene from @p before, found by steps of a
+   * sixteenth, in the measures of StepHistory. */
+  StepError
+  error_of_last_step(const WaveColumn     &column,
+                     SteppingScene        &scene,
+                     const SystemState<2> &before,
+                     const double          tau)
+  {
+    constexpr unsigned int n_parts = 16;
+
+    SystemState<2> exact = before;
+    for (unsigned int i = 0; i < n_parts; ++i)
+      {
+        const StepResult<2> part = scene.step->take(exact, tau / n_parts);
+        EXPECT_TRUE(part.converged);
+        exact = part.state;
+      }
+    StepError                  error;
+    const SystemState<2>      &ours  = scene.state;
+    const std::vector<double> &areas = scene.faults.weights();
+    double                     area = 0., of_state = 0., of_motion = 0.;
+    for (unsigned int k = 0; k < scene.faults.size(); ++k)
+      {
+        const FaultLaw &law = scene.laws[k];
+        const double    V   = magnitude(ours.slip_rate[k]),
+                     error_of_V =
+                       magnitude(ours.slip_rate[k] - exact.slip_rate[k]),
+                     in_friction = magnitude(
+                       directed_friction(scene.faults, scene.laws, ours, k) -
+                       directed_friction(scene.faults, scene.laws, exact, k)),
+                     motion =
+                       std::min(error_of_V /
+                                  std::max(V, law.characteristic_slip / tau),
+                                in_friction / law.friction->rate_scale());
+        area += areas[k];
+        of_state += areas[k] * std::pow(ours.alpha[k] - exact.alpha[k], 2);
+        of_motion += areas[k] * motion * motion;
+      }
+    error.faults = std::sqrt((of_state + of_motion) / area);
+
+    const std::vector<double> &masses = scene.problem.nodal_masses();
+    double                     sum = 0., squares = 0.;
+    for (unsigned int i = 0; i < masses.size(); ++i)
+      {
+        const double e = std::hypot(ours.velocity.local_element(2 * i) -
+                                      exact.velocity.local_element(2 * i),
+                                    ours.velocity.local_element(2 * i + 1) -
+                                      exact.velocity.local_element(2 * i + 1));
+        sum += masses[i] * e;
+        squares += masses[i] * e * e;
+      }
+    error.bodies = squares / sum *
+                   std::sqrt(column.density * column.shear_modulus) /
+                   (std::max(column.a, column.b) * column.normal_stress);
+    return error;
+  }
+} // namespace
+
+
+
+// As the pull sets in, while the bodies ring with their fault stuck, and in the
+// waves of a traction that is switched on.
+TEST(Column, EstimatesAreThatOfTheError)
+{
+  const WaveColumn column = spring_slider();
+  const auto compare      = [&](const double start, const Settings &overrides) {
+    SteppingScene scene(scene_of(column, 16),
+                        Settings{"TNNMG/Tolerance=1e-12",
+                                 "Time/Rate-state tolerance=1e-12"} +
+                          overrides);
+    scene.advance_until(start);
+    std::vector<double> ratios;
+    for (unsigned int i = 0; i < 40; ++i)
+      {
+        const SystemState<2> before = scene.state;
+        const double         tau    = scene.advance().front().step_size;
+        ratios.push_back(scene.memory.last_error.bodies /
+                         error_of_last_step(column, scene, before, tau).bodies);
+      }
+    std::sort(ratios.begin(), ratios.end());
+    // A step may pass the moment at which its error changes sign.
+    EXPECT_GT(ratios[4], 1. / 3.) << start;
+    EXPECT_LT(ratios[36], 3.) << start;
+    RecordProperty("median ratio from " + std::to_string(start) + " s",
+                   std::to_string(ratios[20]));
+  };
+  compare(2., {});
+  compare(20.8, {});
+  compare(0.5, waves_of_traction);
+}
+
+
+
+// Waves that do not quite reach the strength let the fault slip all the same,
+// by the exponential of the traction: it has to be right to a percent.
+TEST(Column, WavesThroughAStuckFaultAreFollowed)
+{
+  const WaveColumn column = spring_slider();
+  const auto       slip   = [&](const Settings &overrides) {
+    SteppingScene scene(scene_of(column, 8), waves_of_traction + overrides);
+    scene.advance_until(2.);
+    return std::abs(scene.state.slip[0][0]);
+  };
+  const double exact = slip(
+                 {"Time/Step size control=constant", "Time/Largest step=2e-4"}),
+               ours = slip({}), unaware = slip({"Time/Body tolerance=1e9"});
+  EXPECT_NEAR(ours / exact, 1., 0.03);
+  EXPECT_GT(std::abs(unaware / exact - 1.), 0.1);
+  RecordProperty("slip, m", std::to_string(exact * 1e6) + "e-6");
 }

@@ -86,19 +86,6 @@ namespace StickSlip
 
 
   template <int dim>
-  double
-  FaultNodes<dim>::l2_norm(const std::vector<double> &values) const
-  {
-    double sum = 0;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (active[k])
-        sum += node_weights[k] * values[k] * values[k];
-    return std::sqrt(sum);
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   FaultNodes<dim>::over_mean(const std::vector<double> &values) const
   {

@@ -22,7 +22,9 @@ namespace StickSlip
        "",
        "alternations of rate problem and state in the step"},
       {"tnnmg_iterations", "", "iterations of all rate problems of the step"},
-      {"multigrid_cycles", "", "multigrid cycles of these"}};
+      {"multigrid_cycles", "", "multigrid cycles of these"},
+      {"fault_error", "", "estimated error of the step on the faults"},
+      {"body_error", "", "estimated error of the velocity of the bodies"}};
     const std::string mean = "mean over the area of contact of ";
     for (const FaultSnapshot<dim> &fault : faults)
       {
@@ -86,7 +88,8 @@ namespace StickSlip
 
     file << step.step << ',' << step.time << ',' << step.step_size << ','
          << step.rate_state_iterations << ',' << step.tnnmg_iterations << ','
-         << step.multigrid_cycles;
+         << step.multigrid_cycles << ',' << step.fault_error << ','
+         << step.body_error;
     for (const FaultSnapshot<dim> &fault : faults)
       {
         const FaultStatistics statistics = fault_statistics(fault);

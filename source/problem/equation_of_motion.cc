@@ -8,6 +8,26 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** The sums of the rows of a matrix for the first component. */
+    template <int n_components>
+    std::vector<double>
+    row_sums(const BlockMatrix<n_components> &matrix)
+    {
+      const BlockSparsity &sparsity = matrix.sparsity();
+      std::vector<double>  sums(matrix.n_rows(), 0.);
+      for (unsigned int row = 0; row < sums.size(); ++row)
+        for (unsigned int position = sparsity.row_start[row];
+             position < sparsity.row_start[row + 1];
+             ++position)
+          sums[row] += matrix.block(position)[0];
+      return sums;
+    }
+  } // namespace
+
+
+
   template <int dim, int n_components>
   EquationOfMotion<dim, n_components>::EquationOfMotion(
     const ContactSpace<dim, n_components> &space,
@@ -30,6 +50,8 @@ namespace StickSlip
       nodal_terms.push_back(std::move(matrix));
     };
     add(mass, matrices.mass);
+    if (has(mass))
+      masses = row_sums(nodal_terms.back());
     add(damping, matrices.damping);
     add(stiffness, matrices.stiffness);
     // Gravity acts in the plane.

@@ -14,8 +14,8 @@ namespace StickSlip
 {
   namespace
   {
-    // Runs and faults of the laboratory, s and m.
-    constexpr double long_run = 1000., long_fault = 100.;
+    // Runs of the laboratory, s.
+    constexpr double long_run = 1000.;
 
 
 
@@ -42,42 +42,6 @@ namespace StickSlip
 
 
 
-    /** The sizes of all faults together, about, from the extents of each
-     * along the axes, m^(d-1). */
-    template <int dim>
-    double
-    size_of_faults(const SceneParameters<dim> &scene)
-    {
-      double size = 0.;
-      for (unsigned int f = 0; f < scene.faults.size(); ++f)
-        {
-          const std::vector<Point<dim>> points = fault_points(scene, f);
-          if (points.empty())
-            continue;
-          Point<dim> lower = points[0], upper = points[0];
-          for (const Point<dim> &point : points)
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                lower[d] = std::min(lower[d], point[d]);
-                upper[d] = std::max(upper[d], point[d]);
-              }
-          std::array<double, dim> extents;
-          for (unsigned int d = 0; d < dim; ++d)
-            extents[d] = upper[d] - lower[d];
-          if (dim == 2)
-            size += std::hypot(extents[0], extents[1]);
-          else
-            {
-              // The least extent is that across the fault.
-              std::sort(extents.begin(), extents.end());
-              size += std::hypot(extents[0], extents[1]) * extents[dim - 1];
-            }
-        }
-      return size;
-    }
-
-
-
     /** True if one Gauss-Seidel sweep leaves a cycle slow: beside jumps that
      * are free, and on tetrahedra. */
     template <int dim>
@@ -100,10 +64,7 @@ namespace StickSlip
     std::vector<AutomaticNumber *>
     automatic_numbers(SceneParameters<dim> &scene)
     {
-      return {&scene.time.tolerance,
-              &scene.time.doubling_threshold,
-              &scene.time.rate_state_tolerance,
-              &scene.time.largest_step,
+      return {&scene.time.largest_step,
               &scene.tnnmg.smoothing_sweeps,
               &scene.output.fault_cadence.slip_interval,
               &scene.output.fault_cadence.longest_interval,
@@ -132,13 +93,6 @@ namespace StickSlip
                                 time.end_time / slip_of_loading);
     time.largest_step.derive(
       std::max({0.5, largest_step, time.initial_step, time.smallest_step}));
-
-    const double size = std::max(1.,
-                                 std::sqrt(size_of_faults(scene) /
-                                           std::pow(long_fault, dim - 1)));
-    time.tolerance.derive(3e-6 * size);
-    time.doubling_threshold.derive(1e-5 * size);
-    time.rate_state_tolerance.derive(1e-6 * size);
 
     scene.tnnmg.smoothing_sweeps.derive(is_hard_to_smooth(scene) ? 2. : 1.);
 

@@ -13,24 +13,24 @@ namespace StickSlip
 {
   namespace
   {
-    /** The radiation damping of a fault at some points of it, Pa s/m: the
-     * slip rates of the two sides for a unit of traction that they radiate add
-     * up; a rigid body does not yield. */
+    /** The shear traction over the slip rate of the waves that a fault radiates
+     * from some points of it, Pa s/m: the slip rates of the two sides for a
+     * unit of traction add up; a rigid body does not yield. */
     template <int dim>
     std::vector<double>
-    radiation_damping(const SceneParameters<dim>    &scene,
+    radiated_traction(const SceneParameters<dim>    &scene,
                       const unsigned int             fault,
                       const std::vector<Point<dim>> &points)
     {
-      if (scene.time.inertia != Inertia::quasi_dynamic)
+      if (scene.time.inertia == Inertia::quasi_static)
         return std::vector<double>(points.size(), 0.);
-      std::vector<double> damping =
+      std::vector<double> traction =
         sum_over_sides(scene, fault, points, [](const Material &material) {
           return 1. / material.shear_impedance();
         });
-      for (double &value : damping)
+      for (double &value : traction)
         value = 1. / value;
-      return damping;
+      return traction;
     }
 
 
@@ -69,8 +69,9 @@ namespace StickSlip
       {
         const std::vector<Point<dim>> &points =
           basis.faults()[f].slave_surface.points;
-        const std::vector<double> damping = radiation_damping(scene, f, points);
-        const unsigned int        first   = result.of_node.size();
+        const std::vector<double> radiated =
+          radiated_traction(scene, f, points);
+        const unsigned int first = result.of_node.size();
         result.of_node.resize(first + points.size());
         for (const FaultPart &part : scene.faults[f].parts(points))
           {
@@ -82,7 +83,7 @@ namespace StickSlip
               part.friction->law_values(part.select(points), part.section);
             for (unsigned int i = 0; i < values.size(); ++i)
               {
-                const double eta = damping[part.positions[i]];
+                const double eta = radiated[part.positions[i]];
                 const auto [place, is_new] =
                   known.emplace(std::make_pair(values[i].all(), eta),
                                 result.laws.size());
@@ -90,7 +91,9 @@ namespace StickSlip
                 if (!is_new)
                   continue;
                 result.laws.push_back(make_law(kind, values[i]));
-                result.laws.back().radiation_damping = eta;
+                result.laws.back().shear_impedance = 2. * eta;
+                if (scene.time.inertia == Inertia::quasi_dynamic)
+                  result.laws.back().radiation_damping = eta;
                 result.laws.back().is_frozen_open =
                   part.friction->opening.open_state == OpenState::frozen;
               }

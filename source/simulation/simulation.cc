@@ -154,7 +154,7 @@ namespace StickSlip
         // Iterations leave far less.
         constexpr double allowed_part = 1e-3;
 
-        const double error = run_state.steps.largest_error;
+        const double error = run_state.steps.largest_error.faults;
         std::cout << "Run " << ending.str() << ". Results are in "
                   << scene.output.directory << '.' << std::endl;
         if (error > scene.time.tolerance)
@@ -345,7 +345,9 @@ namespace StickSlip
                    step.step_size,
                    step.counts.rate_state_iterations,
                    step.counts.tnnmg_iterations,
-                   step.counts.multigrid_cycles},
+                   step.counts.multigrid_cycles,
+                   run_state.steps.last_error.faults,
+                   run_state.steps.last_error.bodies},
                   state(),
                   fault_snapshots(),
                   energy.get());

@@ -127,7 +127,11 @@ namespace StickSlip
       section.add("smallest step size", counts.smallest_step, "s");
       section.add("largest step size", counts.largest_step, "s");
       if (control != StepSizeControl::step_doubling)
-        section.add("largest estimated error", steps.largest_error);
+        {
+          section.add("largest estimated error", steps.largest_error.faults);
+          section.add("largest estimated error of the bodies",
+                      steps.largest_error.bodies);
+        }
       section.add_count("contact mappings built", counts.contact_mappings);
 
       RunSummary::Section &iterations = summary.add_section("Iterations");

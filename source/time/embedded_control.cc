@@ -10,12 +10,12 @@ namespace StickSlip
 {
   namespace
   {
-    /** Size of the next step over that of one with this error. */
+    /** Size of the next step over that of one that uses this part of the error
+     * allowed. */
     double
-    growth(const double error, const double tolerance, const bool just_rejected)
+    growth(const double part_of_allowed, const bool just_rejected)
     {
-      const double factor =
-        0.8 * std::cbrt(tolerance / std::max(error, 1e-3 * tolerance));
+      const double factor = 0.8 / std::cbrt(std::max(part_of_allowed, 1e-3));
       return std::clamp(factor, 0.2, just_rejected ? 1. : 2.);
     }
 
@@ -43,13 +43,19 @@ namespace StickSlip
     const SystemState<dim> &state,
     StepMemory<dim>        &memory)
   {
-    StepHistory<dim, n_components> history   = this->history(memory, state);
-    const double                   tolerance = this->parameters.tolerance;
-    std::optional<double>          contact;
+    StepHistory<dim, n_components> history = this->history(memory, state);
+    const auto part_of_allowed             = [&](const StepError &error) {
+      return error.part_of(this->parameters.tolerance,
+                           this->parameters.body_tolerance);
+    };
+    // Time until sides come together, s; zero where no step is to end there.
+    double contact = 0.;
     while (true)
       {
         const double tau =
-          this->limit(memory, state.time, contact.value_or(memory.proposed));
+          this->limit(memory,
+                      state.time,
+                      contact > 0. ? contact : memory.proposed);
         const Prediction<dim> prediction = history.predict(state, tau);
         StepResult<dim> result = this->take(memory, state, tau, &prediction);
         double          factor = 0.5;
@@ -58,21 +64,28 @@ namespace StickSlip
           {
             PastState<dim> now = before_impacts(history, result);
             memory.last_error  = history.estimate_error(now);
-            factor = growth(memory.last_error, tolerance, memory.just_rejected);
-            if (memory.last_error <= tolerance)
+            const double part  = part_of_allowed(memory.last_error);
+            factor             = growth(part, memory.just_rejected);
+            if (part <= 1.)
               {
                 memory.largest_error =
-                  std::max(memory.largest_error, memory.last_error);
+                  memory.largest_error.larger(memory.last_error);
                 // A step cut short by the end of the ramp or of the run says
                 // nothing against the size that was proposed.
                 if (tau >= memory.proposed || factor < 1.)
                   memory.proposed = this->on_grid(factor * tau);
                 memory.just_rejected = false;
-                if (!result.slip_rate_before_impacts.empty())
-                  now = history.record(result.state, tau);
                 // Rates that have jumped begin anew, and short steps to the
                 // moment of contact tell nothing of longer ones.
-                if (contact || history.estimate_error(now) > tolerance)
+                bool begins_anew = contact > 0.;
+                if (!result.slip_rate_before_impacts.empty())
+                  {
+                    now = history.record(result.state, tau);
+                    begins_anew =
+                      begins_anew ||
+                      part_of_allowed(history.estimate_error(now)) > 1.;
+                  }
+                if (begins_anew)
                   history.restart(std::move(now));
                 else
                   history.add(std::move(now));
@@ -80,15 +93,18 @@ namespace StickSlip
                 accepted.push_back(std::move(result));
                 return accepted;
               }
-            reason  = "the estimated error stays above Time/Tolerance";
+            reason  = memory.last_error.faults > this->parameters.tolerance ?
+                        "the estimated error stays above Time/Tolerance" :
+                        "the estimated error of the bodies stays above "
+                        "Time/Body tolerance";
             contact = result.slip_rate_before_impacts.empty() ?
-                        std::optional<double>() :
-                        this->time_of_contact(state, result);
+                        0. :
+                        this->time_of_contact(state, result).value_or(0.);
           }
         else
-          contact.reset();
+          contact = 0.;
         // A step that ends with an impact is as smooth as others.
-        if (!contact)
+        if (contact == 0.)
           {
             // Not std::min(factor, 0.5): the factor may be no number.
             memory.proposed =

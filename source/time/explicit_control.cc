@@ -49,7 +49,7 @@ namespace StickSlip
         double factor = 0.2;
         if (std::isfinite(error))
           {
-            memory.last_error = error;
+            memory.last_error = {error, 0.};
             factor =
               std::clamp(0.9 * std::pow(tolerance /
                                           std::max(error, 1e-5 * tolerance),
@@ -59,7 +59,8 @@ namespace StickSlip
           }
         if (result.converged)
           {
-            memory.largest_error = std::max(memory.largest_error, error);
+            memory.largest_error =
+              memory.largest_error.larger(memory.last_error);
             // A step cut short by an end says nothing against the size that
             // was proposed.
             if (tau >= memory.proposed || factor < 1.)

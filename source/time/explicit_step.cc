@@ -4,6 +4,7 @@
 #include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/faults/contact_pressure.h>
+#include <stickslip/faults/fault_norm.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/explicit_step.h>
 
@@ -381,8 +382,8 @@ namespace StickSlip
           }
         slip_errors[k] = magnitude(slip_error) / law.characteristic_slip;
       }
-    error =
-      std::hypot(faults.l2_norm(state_errors), faults.l2_norm(slip_errors));
+    error = std::hypot(fault_norm(faults, laws, state_errors),
+                       fault_norm(faults, laws, slip_errors));
     if (!(error <= tolerance))
       return result;
 

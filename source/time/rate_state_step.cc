@@ -8,6 +8,7 @@
 #include <stickslip/base/magnitude.h>
 #include <stickslip/condensed/condensed_solver.h>
 #include <stickslip/faults/contact_pressure.h>
+#include <stickslip/faults/fault_norm.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/backward_differences.h>
 #include <stickslip/time/contact_implicit.h>
@@ -335,7 +336,7 @@ namespace StickSlip
         change[k]   = alpha - to.alpha[k];
         to.alpha[k] = alpha;
       }
-    return fault_nodes.l2_norm(change);
+    return fault_norm(fault_nodes, node_laws, change);
   }
 
 
@@ -360,8 +361,10 @@ namespace StickSlip
     to.normal_stress                 = following.normal_stress(
       before, end_pressure(to.contact_pressure, from, tau, contact.touching));
     if (!unilateral.is_needed())
-      return fault_nodes.l2_norm(relative_stress_change(
-        fault_nodes, node_laws, before, to.normal_stress));
+      return fault_norm(fault_nodes,
+                        node_laws,
+                        relative_stress_change(
+                          fault_nodes, node_laws, before, to.normal_stress));
 
     // Changes that rounding makes alone are none: bodies that hardly anything
     // holds would follow them.
@@ -369,7 +372,9 @@ namespace StickSlip
     for (unsigned int k = 0; k < before.size(); ++k)
       if (std::abs(to.normal_stress[k] - before[k]) <= rounding[k])
         to.normal_stress[k] = before[k];
-    const double change = fault_nodes.l2_norm(
+    const double change = fault_norm(
+      fault_nodes,
+      node_laws,
       relative_stress_change(fault_nodes, node_laws, before, to.normal_stress));
     to.normal_stress = stress.next(before, to.normal_stress, change);
     return change;

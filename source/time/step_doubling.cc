@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/faults/fault_norm.h>
 #include <stickslip/time/step_doubling.h>
 
 namespace StickSlip
@@ -77,9 +78,10 @@ namespace StickSlip
             std::vector<double> alpha_difference = second.state.alpha;
             for (unsigned int k = 0; k < alpha_difference.size(); ++k)
               alpha_difference[k] -= large->state.alpha[k];
-            const double difference =
-              this->step.faults().l2_norm(alpha_difference);
-            const double threshold = this->parameters.doubling_threshold;
+            const double difference = fault_norm(this->step.faults(),
+                                                 this->step.laws(),
+                                                 alpha_difference);
+            const double threshold  = this->parameters.doubling_threshold;
             if (difference <= threshold)
               {
                 memory.proposed = this->on_grid(tau);

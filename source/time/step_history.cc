@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/base/magnitude.h>
+#include <stickslip/faults/fault_norm.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/step_history.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace StickSlip
 {
@@ -115,27 +120,32 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  double
-  StepHistory<dim, n_components>::estimate_error(
-    const PastState<dim> &now) const
+  typename StepHistory<dim, n_components>::Extrapolation
+  StepHistory<dim, n_components>::extrapolation(const double step_size) const
   {
-    const double state_error = faults.l2_norm(state_errors(now));
-    if (records.size() < 3)
-      return state_error;
-
-    const double h  = now.step_size;
+    const double h  = step_size;
     const double h1 = records[0].step_size;
     const double h2 = records[1].step_size;
     const double c0 = scheme.error_constant(h, h1);
     const double cc = h * (h + h1) * (h + h1 + h2) / 6.;
-    // Lagrange weights of the quadratic through the last three values.
-    const double w0        = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
-    const double w1        = -h * (h + h1 + h2) / (h1 * h2);
-    const double w2        = h * (h + h1) / ((h1 + h2) * h2);
-    const auto   deviation = [&](const auto &values, const unsigned k) {
-      return magnitude((now.*values)[k] - w0 * (records[0].*values)[k] -
-                       w1 * (records[1].*values)[k] -
-                       w2 * (records[2].*values)[k]);
+    return {(h + h1) * (h + h1 + h2) / (h1 * (h1 + h2)),
+            -h * (h + h1 + h2) / (h1 * h2),
+            h * (h + h1) / ((h1 + h2) * h2),
+            c0 / (cc + c0)};
+  }
+
+
+
+  template <int dim, int n_components>
+  std::vector<double>
+  StepHistory<dim, n_components>::motion_errors(const PastState<dim> &now,
+                                                const Extrapolation &past) const
+  {
+    const auto deviation = [&](const auto &values, const unsigned k) {
+      return magnitude((now.*values)[k] -
+                       past.newest * (records[0].*values)[k] -
+                       past.older * (records[1].*values)[k] -
+                       past.oldest * (records[2].*values)[k]);
     };
 
     const std::vector<double> stress = faults.over_mean(now.normal_stress);
@@ -157,16 +167,104 @@ namespace StickSlip
               const FaultLaw &law = laws[k];
               if (law.is_prescribed)
                 continue;
-              double error = deviation(&PastState<dim>::slip_rate, k) /
-                             std::max(fastest, law.characteristic_slip / h);
+              double error =
+                deviation(&PastState<dim>::slip_rate, k) /
+                std::max(fastest, law.characteristic_slip / now.step_size);
               if (const double scale = law.friction->rate_scale(); scale > 0.)
                 error = std::min(error,
                                  deviation(&PastState<dim>::friction, k) *
                                    stress[k] / scale);
-              errors[k] = error * c0 / (cc + c0);
+              errors[k] = error * past.part;
             }
       }
-    return std::hypot(state_error, faults.l2_norm(errors));
+    return errors;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  StepHistory<dim, n_components>::velocity_scale(
+    const PastState<dim> &now) const
+  {
+    double                           least = std::numeric_limits<double>::max();
+    const std::vector<unsigned int> &first = faults.first_of_fault();
+    for (unsigned int f = 0; f + 1 < first.size(); ++f)
+      {
+        double sum = 0., area = 0.;
+        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
+          {
+            const FaultLaw &law    = laws[k];
+            const double    weight = faults.weights()[k];
+            if (!faults.in_contact(k) || law.is_prescribed ||
+                !(law.shear_impedance > 0.))
+              continue;
+            sum += weight * law.friction->rate_scale() * now.normal_stress[k] /
+                   law.shear_impedance;
+            area += weight;
+          }
+        if (sum > 0.)
+          least = std::min(least, sum / area);
+      }
+    return least;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  StepHistory<dim, n_components>::body_error(const PastState<dim> &now,
+                                             const Extrapolation  &past) const
+  {
+    std::array<double, 2> sums = {{0., 0.}};
+    const double *v = now.velocity.begin(), *v0 = records[0].velocity.begin(),
+                 *v1 = records[1].velocity.begin(),
+                 *v2 = records[2].velocity.begin();
+    for (unsigned int node = 0; node < nodal_masses->size(); ++node)
+      {
+        double square = 0.;
+        for (unsigned int i = node * n_components;
+             i < (node + 1) * n_components;
+             ++i)
+          {
+            const double e = v[i] - past.newest * v0[i] - past.older * v1[i] -
+                             past.oldest * v2[i];
+            square += e * e;
+          }
+        sums[0] += (*nodal_masses)[node] * square;
+        sums[1] += (*nodal_masses)[node] * std::sqrt(square);
+      }
+    const MPI_Comm communicator = now.velocity.get_mpi_communicator();
+    Utilities::MPI::sum(sums, communicator, sums);
+    return sums[1] > 0. ? past.part * sums[0] / sums[1] / velocity_scale(now) :
+                          0.;
+  }
+
+
+
+  template <int dim, int n_components>
+  StepError
+  StepHistory<dim, n_components>::estimate_error(
+    const PastState<dim> &now) const
+  {
+    StepError error;
+    error.faults = fault_norm(faults, laws, state_errors(now));
+    if (records.size() >= 3)
+      {
+        const Extrapolation past = extrapolation(now.step_size);
+        error.faults =
+          std::hypot(error.faults,
+                     fault_norm(faults, laws, motion_errors(now, past)));
+        // Velocities jump where sides come together.
+        if (nodal_masses != nullptr && now.is_open.empty())
+          error.bodies = body_error(now, past);
+      }
+    // Sums may differ in their last digits from process to process, and steps
+    // must not.
+    const MPI_Comm communicator = now.velocity.get_mpi_communicator();
+    return Utilities::MPI::n_mpi_processes(communicator) == 1 ?
+             error :
+             Utilities::MPI::broadcast(communicator, error);
   }
 
 

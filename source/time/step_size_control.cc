@@ -104,9 +104,14 @@ namespace StickSlip
     StepMemory<dim>        &memory,
     const SystemState<dim> &state) const
   {
+    using Problem                          = SpatialProblem<dim, n_components>;
+    const Problem                 &problem = step.spatial_problem();
     StepHistory<dim, n_components> result(step.faults(),
                                           step.laws(),
                                           step.scheme(),
+                                          problem.has(Problem::mass) ?
+                                            &problem.nodal_masses() :
+                                            nullptr,
                                           memory.past);
     if (memory.past.empty())
       result.add(result.record(state, 0.));
@@ -218,8 +223,9 @@ namespace StickSlip
             if (result.converged)
               {
                 PastState<dim> now = history.record(result.state, tau);
+                memory.last_error  = history.estimate_error(now);
                 memory.largest_error =
-                  std::max(memory.largest_error, history.estimate_error(now));
+                  memory.largest_error.larger(memory.last_error);
                 history.add(std::move(now));
                 std::vector<StepResult<dim>> accepted;
                 accepted.push_back(std::move(result));

@@ -33,19 +33,28 @@ namespace StickSlip
       "Tolerance",
       tolerance,
       NumberRange().above(0),
-      "Error allowed in a step under the embedded control and in "
-      "Runge-Kutta steps, in "
-      "m^((d-1)/2): the L2 norm over the faults of the error of the "
-      "logarithm of the state and, at each node, of the smaller one "
-      "of two: the error of the friction coefficient over the larger "
-      "one of a and b, times the normal stress over its mean; or that "
-      "of the slip rate over the largest one of the fault. Before "
-      "three steps have been taken, the state alone counts. In Runge-Kutta "
-      "steps it is the L2 norm of the errors of the logarithm of the state "
-      "and of the slip over the characteristic slip. auto: 3e-6 "
-      "times the square root of the size of all faults over that of "
-      "100 m (in three dimensions 100 m times 100 m), and not less "
-      "than 3e-6.");
+      "Error allowed on the faults in a step under the embedded control and "
+      "in Runge-Kutta steps, without unit: the root of the mean square over "
+      "a fault of the error of the logarithm of the state and, at each node, "
+      "of the smaller one of two: the error of the friction coefficient over "
+      "the larger one of a and b, times the normal stress over its mean; or "
+      "that of the slip rate over the largest one of the fault. Squares of "
+      "several faults add up, and nodes with a prescribed slip rate do not "
+      "count. Before three steps have been taken, the state alone does. In "
+      "Runge-Kutta steps the errors are those of the logarithm of the state "
+      "and of the slip over the characteristic slip.");
+    add_number(
+      prm,
+      "Body tolerance",
+      body_tolerance,
+      NumberRange().above(0),
+      "Error of the velocity of the bodies allowed in a step under the "
+      "embedded control, without unit: its mean, weighted by the mass and by "
+      "itself, times the impedance of shear waves, over the larger one of a "
+      "and b times the normal stress (of the fault where these are least): "
+      "what the error of waves brings to the faults. Used only with "
+      "'Inertia = dynamic', after three steps, and where friction is rate "
+      "and state.");
     add_number(prm,
                "Impact tolerance",
                impact_tolerance,
@@ -60,9 +69,9 @@ namespace StickSlip
                doubling_threshold,
                NumberRange().above(0),
                "Difference allowed between one step and two under step "
-               "doubling: of the logarithm of the state in the L2 norm of the "
-               "faults, in m^((d-1)/2). auto: 1e-5 times what 'Tolerance' "
-               "takes.");
+               "doubling, of the logarithm of the state: the root of the mean "
+               "square over a fault, without unit. Squares of several faults "
+               "add up.");
     add_number(prm,
                "Initial step",
                initial_step,
@@ -157,8 +166,8 @@ namespace StickSlip
                rate_state_tolerance,
                NumberRange().above(0),
                "The rate-state iteration ends when the logarithm of the state "
-               "changes less than this in the L2 norm of the faults, in "
-               "m^((d-1)/2). auto: 1e-6 times what 'Tolerance' takes.");
+               "changes less than this: the root of the mean square over a "
+               "fault, without unit. Squares of several faults add up.");
     add_count(prm,
               "Largest number of rate-state iterations",
               max_rate_state_iterations,

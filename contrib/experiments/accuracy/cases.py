@@ -6,9 +6,9 @@ from .slider import LONG, Case
 
 # Far below what is studied. The iterations have to be as exact as the steps.
 FINEST = {
-    "Time/Tolerance": "3e-10",
+    "Time/Tolerance": "1.3e-10",
     "TNNMG/Tolerance": "1e-12",
-    "Time/Rate-state tolerance": "1e-11",
+    "Time/Rate-state tolerance": "4.5e-12",
 }
 # All corrections alike; it is the mesh and the steps that are studied with it.
 TWO_CYCLES = {"TNNMG/Single-cycle corrections": "0"}
@@ -20,7 +20,7 @@ ARCSINH = {"Faults/fault/Regularisation": "arcsinh"}
 CONDENSED = {"Time/Rate solver": "condensed Newton"}
 DEFAULT = "embedded, exponential, interleaved (default)"
 PUBLISHED = "step doubling, implicit Euler, nested (published)"
-DEFAULT_TOLERANCE = "3e-6"
+DEFAULT_TOLERANCE = "1.3e-6"
 
 
 def pairs(settings):
@@ -37,7 +37,7 @@ def bodies(**entries):
     }
 
 
-REFERENCE = Case("time", "reference", "3e-10", pairs(FINEST), end_time=LONG)
+REFERENCE = Case("time", "reference", "1.3e-10", pairs(FINEST), end_time=LONG)
 
 
 def series(section, family, entry, values, settings=None, to=REFERENCE, **more):
@@ -59,25 +59,25 @@ def series(section, family, entry, values, settings=None, to=REFERENCE, **more):
 def is_default(entry, value):
     """Whether it need not be set: the same run then serves several families."""
     return (entry, value) in (
-        ("Time/Tolerance", "3e-6"),
+        ("Time/Tolerance", "1.3e-6"),
         ("TNNMG/Tolerance", "1e-6"),
-        ("Time/Rate-state tolerance", "1e-6"),
-        ("Time/Doubling threshold", "1e-5"),
+        ("Time/Rate-state tolerance", "4.5e-7"),
+        ("Time/Doubling threshold", "4.5e-6"),
     )
 
 
 # What is varied, at which values, and what it sets.
 TIME_FAMILIES = (
     (DEFAULT, TOLERANCE,
-     ("3e-4", "3e-5", "1e-5", "3e-6", "1e-6", "3e-7", "3e-8"), {}),
+     ("1.3e-4", "1.3e-5", "4.5e-6", "1.3e-6", "4.5e-7", "1.3e-7", "1.3e-8"), {}),
     ("embedded, implicit Euler, interleaved", TOLERANCE,
-     ("3e-4", "3e-5", "1e-5", "3e-6", "3e-7"), EULER),
+     ("1.3e-4", "1.3e-5", "4.5e-6", "1.3e-6", "1.3e-7"), EULER),
     ("embedded, exponential, nested", TOLERANCE,
-     ("3e-4", "3e-5", "1e-5", "3e-6", "3e-7"), NESTED),
+     ("1.3e-4", "1.3e-5", "4.5e-6", "1.3e-6", "1.3e-7"), NESTED),
     ("step doubling, exponential, interleaved", THRESHOLD,
-     ("1e-2", "3e-3", "1e-3", "3e-4", "1e-4"), DOUBLING),
+     ("4.5e-3", "1.3e-3", "4.5e-4", "1.3e-4", "4.5e-5"), DOUBLING),
     (PUBLISHED, THRESHOLD,
-     ("1e-2", "3e-3", "1e-3", "3e-4", "1e-4", "1e-5"),
+     ("4.5e-3", "1.3e-3", "4.5e-4", "1.3e-4", "4.5e-5", "4.5e-6"),
      DOUBLING | EULER | NESTED),
 )
 
@@ -85,15 +85,15 @@ TIME_FAMILIES = (
 def time_cases():
     runs = [run for family in TIME_FAMILIES for run in series("time", *family)]
     # How far the reference itself can be trusted.
-    check = series("time", "as the reference", TOLERANCE, ("3e-9",), FINEST)
+    check = series("time", "as the reference", TOLERANCE, ("1.3e-9",), FINEST)
     return [*runs, *check, REFERENCE]
 
 
 def late_cases():
     """To 40 s, where each event carries the errors of all before it."""
     chosen = {
-        DEFAULT: ("3e-4", "3e-5", "3e-6", "3e-7"),
-        PUBLISHED: ("1e-3",),
+        DEFAULT: ("1.3e-4", "1.3e-5", "1.3e-6", "1.3e-7"),
+        PUBLISHED: ("4.5e-4",),
     }
     return [
         run
@@ -107,7 +107,7 @@ def late_cases():
 def law_cases():
     """Against the truncated law in the limit and at the same tolerance: the former
     is the error if the models differ by less, which the latter shows."""
-    tolerances = ("3e-4", "3e-5", "3e-6")
+    tolerances = ("1.3e-4", "1.3e-5", "1.3e-6")
     beside = [
         Case("law", "arcsinh beside truncated", run.tolerance, run.settings,
              reference=other)
@@ -126,7 +126,7 @@ def algebra_cases():
         *series("algebra", "TNNMG tolerance", "TNNMG/Tolerance",
                 ("1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10"), to=exact),
         *series("algebra", "rate-state tolerance", "Time/Rate-state tolerance",
-                ("1e-3", "1e-4", "1e-6", "1e-8"), to=exact),
+                ("4.5e-4", "4.5e-5", "4.5e-7", "4.5e-9"), to=exact),
         *series("algebra", "condensed Newton", "TNNMG/Tolerance", ("1e-6", "1e-9"),
                 CONDENSED, to=exact),
         exact,
@@ -137,14 +137,14 @@ def front_cases():
     """What else might cost less, with its whole error."""
     return [
         *series("front", "two cycles in all corrections", TOLERANCE,
-                ("3e-4", "3e-5", "3e-6", "3e-7"),
+                ("1.3e-4", "1.3e-5", "1.3e-6", "1.3e-7"),
                 {"TNNMG/Single-cycle corrections": "0"}),
         *series("front", "one cycle in all corrections", TOLERANCE,
-                ("3e-5", "3e-6", "3e-7"), {"TNNMG/Cycles per correction": "1"}),
+                ("1.3e-5", "1.3e-6", "1.3e-7"), {"TNNMG/Cycles per correction": "1"}),
         *series("front", "TNNMG tolerance 1e-9", TOLERANCE,
-                ("3e-5", "3e-6", "3e-7"), {"TNNMG/Tolerance": "1e-9"}),
+                ("1.3e-5", "1.3e-6", "1.3e-7"), {"TNNMG/Tolerance": "1e-9"}),
         *series("front", "condensed Newton", TOLERANCE,
-                ("3e-4", "3e-5", "3e-6", "3e-7"), CONDENSED),
+                ("1.3e-4", "1.3e-5", "1.3e-6", "1.3e-7"), CONDENSED),
     ]
 
 
@@ -154,10 +154,10 @@ def independent_cases():
     exact = {k: v for k, v in FINEST.items() if k != TOLERANCE}
     return [
         *series("independent", "embedded, exponential", TOLERANCE,
-                ("3e-4", "3e-5", "3e-6", "3e-7", "3e-8"), coarse | exact,
+                ("1.3e-4", "1.3e-5", "1.3e-6", "1.3e-7", "1.3e-8"), coarse | exact,
                 to=None, mesh="10 x 2 cells a body"),
         *series("independent", "step doubling, implicit Euler, nested", THRESHOLD,
-                ("1e-2", "1e-3", "1e-4"),
+                ("4.5e-3", "4.5e-4", "4.5e-5"),
                 coarse | exact | DOUBLING | EULER | NESTED,
                 to=None, mesh="10 x 2 cells a body"),
     ]

@@ -22,8 +22,8 @@ def nucleation():
                     "Time/Initial step": size,
                 },
             ),
-            {"Time/Step size control": "embedded", "Time/Tolerance": "3e-7"},
-            "estimated error, tolerance 3e-7",
+            {"Time/Step size control": "embedded", "Time/Tolerance": "1.3e-7"},
+            "estimated error, tolerance 1.3e-7",
         )
     for size in ("0.5", "2", "8", "16"):
         yield Case(

@@ -74,7 +74,7 @@ PUBLISHED = {
     ),
 }
 VARIED = {
-    "tolerance": layered("tolerance 3e-7", {"Time/Tolerance": "3e-7"}, VARIED_END),
+    "tolerance": layered("tolerance 1.3e-7", {"Time/Tolerance": "1.3e-7"}, VARIED_END),
     "fine": layered(
         "all cells halved", of_all_bodies(LAYERED, "Uniform refinements", "1"),
         VARIED_END,

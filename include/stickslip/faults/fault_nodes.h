@@ -98,11 +98,6 @@ namespace StickSlip
     std::vector<double>
     opening_jumps(const NodalVector &w) const;
 
-    /** The norm in L2(faults), sqrt(sum weight value^2), of an array over the
-     * slave nodes; nodes off contact do not count. */
-    double
-    l2_norm(const std::vector<double> &values) const;
-
     /** An array over the slave nodes, none negative, over its mean on the part
      * in contact of the same fault; zero where that mean is zero. */
     std::vector<double>

@@ -28,6 +28,9 @@ namespace StickSlip
     bool is_frozen_open = false;
     /** True where the slip rate is known, so that friction has no say. */
     bool is_prescribed = false;
+    /** Impedance of shear waves, Pa s/m: the harmonic mean of those of both
+     * sides; infinity where both are rigid, zero where it is not needed. */
+    double shear_impedance = 0;
     /** Radiation damping eta, Pa s/m: a traction eta V against the slip. */
     double radiation_damping = 0;
   };

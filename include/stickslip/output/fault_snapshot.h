@@ -111,6 +111,8 @@ namespace StickSlip
     unsigned int rate_state_iterations = 0;
     unsigned int tnnmg_iterations      = 0;
     unsigned int multigrid_cycles      = 0;
+    /** As estimated (StepError). */
+    double fault_error = 0, body_error = 0;
 
     /** Members to or from a boost archive. */
     template <typename Archive>
@@ -118,7 +120,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &step &time &step_size &rate_state_iterations &tnnmg_iterations
-        &multigrid_cycles;
+        &multigrid_cycles &fault_error &body_error;
     }
   };
 } // namespace StickSlip

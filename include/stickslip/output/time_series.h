@@ -15,9 +15,8 @@ namespace StickSlip
 {
   /**
    * Writes time_series.csv: a header, then a row for each accepted step with
-   * the columns step, time, step_size, rate_state_iterations, tnnmg_iterations,
-   * multigrid_cycles and, for each fault, those of FaultStatistics, in SI units
-   * and with 17 significant digits. Faults that may open have those of
+   * the columns of StepRecord and, for each fault, those of FaultStatistics, in
+   * SI units and with 17 significant digits. Faults that may open have those of
    * OpeningStatistics as well, largest_gap and open_area; of faults that bend
    * and may not open there is the largest gap between their sides so far. Each
    * row reaches the file at once.

@@ -54,6 +54,14 @@ namespace StickSlip
       return std::find(terms.begin(), terms.end(), term) != terms.end();
     }
 
+    /** The mass of each owned node, kg/m^(3-d), in the order of nodal vectors:
+     * sums of rows of M in the nodal basis; empty without inertia. */
+    const std::vector<double> &
+    nodal_masses() const
+    {
+      return masses;
+    }
+
     /** A term that it has, on the finest level in the jump basis. */
     const BlockMatrix<n_components> &
     term(const Term term) const;
@@ -151,6 +159,7 @@ namespace StickSlip
     /** Terms in the nodal basis, and their names in the same order. */
     std::vector<BlockMatrix<n_components>> nodal_terms;
     std::vector<Term>                      terms;
+    std::vector<double>                    masses;
     /** Empty without gravity. */
     NodalVector gravity_load;
     /** In the jump basis, empty without a background stress. */

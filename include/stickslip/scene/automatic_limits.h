@@ -9,11 +9,11 @@
 namespace StickSlip
 {
   /**
-   * Derive the limits, tolerances and numbers of sweeps that the scene leaves
-   * to the program (`auto`) from its end time, loading, characteristic slip,
-   * faults and bodies. In the laboratory, with runs of up to 1000 s and faults
-   * of up to 100 m, they are constants; the entries say which. All else of the
-   * scene must have been checked. Throws InputError if friction has no value at
+   * Derive the limits and numbers of sweeps that the scene leaves to the
+   * program (`auto`) from its end time, loading, characteristic slip, faults
+   * and bodies. In the laboratory, with runs of up to 1000 s, they are
+   * constants; the entries say which. All else of the scene must have been
+   * checked. Throws InputError if friction has no value at
    * a point.
    */
   template <int dim>

@@ -47,9 +47,9 @@ namespace StickSlip
                  const FollowingStress<dim>        &following);
 
     /** A step of size @p tau from @p from. Its @p error is that which the
-     * embedded method of fourth order tells, in m^((d-1)/2): the norm in
-     * L2(faults) of those of the logarithm of the state and of the slip over
-     * the characteristic slip. The step has not converged if that is above the
+     * embedded method of fourth order tells: the fault_norm() of those of the
+     * logarithm of the state and of the slip over the characteristic slip. The
+     * step has not converged if that is above the
      * @p tolerance, or no number. */
     StepResult<dim>
     take(const SystemState<dim> &from,

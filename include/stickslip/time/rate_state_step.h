@@ -147,7 +147,7 @@ namespace StickSlip
                const SolveSummary     &before);
 
     /** Set the state of @p to to that at the end of the step if the slip rates
-     * are those of @p w; returns its change in L2(faults). */
+     * are those of @p w; returns its change in the fault_norm(). */
     double
     update_state(SystemState<dim>       &to,
                  const SystemState<dim> &from,
@@ -156,7 +156,7 @@ namespace StickSlip
                  const ContactOfStep    &contact) const;
 
     /** Let contact pressure and normal stress of @p to follow, if they do;
-     * returns the relative change of the latter in L2(faults). @p stress: what
+     * returns its relative change in the fault_norm(). @p stress: what
      * the iteration has seen of it. */
     double
     follow_pressure(SystemState<dim>       &to,

@@ -11,9 +11,9 @@ namespace StickSlip
   /**
    * The published step size control (Pipping, Sander and Kornhuber 2015): one
    * step of 2 tau is compared with two of tau. If their states differ by more
-   * than the threshold in L2(fault), tau is halved, else the two steps are
-   * accepted. The first small step of a rejected attempt serves as the large
-   * step of the next one.
+   * than the threshold in the fault_norm(), tau is halved, else the two steps
+   * are accepted. The first small step of a rejected attempt serves as the
+   * large step of the next one.
    *
    * The published rule then doubles tau always, and half of all attempts fail.
    * Here tau is doubled only if the difference of a step twice as long, which

@@ -29,27 +29,35 @@ namespace StickSlip
    * - slip rate: e = |V - extrapolated| / max(the largest V of the fault, L/h)
    *   * c0 / (cc + c0).
    *
-   * All are Milne's device: the known ratio of the error constants of the step
-   * and of its prediction. Of traction and slip rate the smaller error counts:
+   * and so is the velocity of the bodies, see body_error(). All are Milne's
+   * device: the known ratio of the error constants of the step and of its
+   * prediction. Of traction and slip rate the smaller error counts:
    *
    * - where a node comes to rest or reverses its slip, friction jumps, however
    *   short the step, and with it the traction next to it; the slip rate does
    *   not;
    * - where a node slips steadily, an error of the slip rate is soon taken away
    *   by friction.
+   *
+   * Waves that run through bodies whose faults are stuck are in neither: a node
+   * that does not slip has a slip rate without error, and only tractions near
+   * the strength make it slip. They are the error of the bodies.
    */
   template <int dim, int n_components = dim>
   class StepHistory
   {
   public:
-    /** @p records: the newest first, three at most. All must live longer. */
+    /** @p nodal_masses: of EquationOfMotion, null for bodies without mass; @p
+     * records: the newest first, three at most. All must live longer. */
     StepHistory(const FaultNodes<dim>               &faults,
                 const NodeLaws                      &laws,
                 const TimeScheme<dim, n_components> &scheme,
+                const std::vector<double>           *nodal_masses,
                 std::vector<PastState<dim>>         &records)
       : faults(faults)
       , laws(laws)
       , scheme(scheme)
+      , nodal_masses(nodal_masses)
       , records(records)
     {}
 
@@ -78,14 +86,42 @@ namespace StickSlip
     Prediction<dim>
     predict(const SystemState<dim> &state, const double tau) const;
 
-    /** Error of a step from the newest record to @p now, in m^((d-1)/2): the
-     * L2(faults) norm of the error of the state and, node by node, of the
-     * smaller one of the errors of traction and slip rate. Of the state alone
-     * before three steps have been taken. */
-    double
+    /** Error of a step from the newest record to @p now. On the faults: the
+     * fault_norm() of the error of the state and, node by node, of the smaller
+     * one of the errors of traction and slip rate. Of the state alone before
+     * three steps have been taken. The same on all processes. Collective. */
+    StepError
     estimate_error(const PastState<dim> &now) const;
 
   private:
+    /** A quadratic through the last three values, and the part of the deviation
+     * from it that is the error of the step. */
+    struct Extrapolation
+    {
+      double newest, older, oldest, part;
+    };
+
+    /** The one of a step of that size after three others. */
+    Extrapolation
+    extrapolation(const double step_size) const;
+
+    /** Traction and slip rate at each node: the smaller one of their errors. */
+    std::vector<double>
+    motion_errors(const PastState<dim> &now, const Extrapolation &past) const;
+
+    /** The velocity at which shear waves carry max(a, b) times the normal
+     * stress, the least of all faults, m/s; infinity if no fault has a law of
+     * that kind and a normal stress. */
+    double
+    velocity_scale(const PastState<dim> &now) const;
+
+    /** The error of the velocity of the bodies, over velocity_scale(): sum m
+     * e^2 / sum m |e| over the nodes, m being their mass. Bodies at rest do not
+     * dilute that mean, as they do the mean square, and single nodes hardly
+     * change it, as they do the largest error. Collective. */
+    double
+    body_error(const PastState<dim> &now, const Extrapolation &past) const;
+
     /** The Adams-Bashforth prediction of alpha a step @p tau after the newest
      * record. */
     std::vector<double>
@@ -99,6 +135,7 @@ namespace StickSlip
     const FaultNodes<dim>               &faults;
     const NodeLaws                      &laws;
     const TimeScheme<dim, n_components> &scheme;
+    const std::vector<double>           *nodal_masses;
     std::vector<PastState<dim>>         &records;
   };
 } // namespace StickSlip

@@ -7,10 +7,47 @@
 #include <stickslip/mechanics/boundary_values.h>
 #include <stickslip/problem/system_state.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace StickSlip
 {
+  /**
+   * The error of a step as StepHistory estimates it, without unit: on the
+   * faults, and of the velocity of the bodies.
+   */
+  struct StepError
+  {
+    double faults = 0, bodies = 0;
+
+    /** The larger part that is used of what is allowed; no number if an error
+     * is none. */
+    double
+    part_of(const double tolerance, const double body_tolerance) const
+    {
+      const double on_faults = faults / tolerance,
+                   in_bodies = bodies / body_tolerance;
+      return on_faults < in_bodies || std::isnan(in_bodies) ? in_bodies :
+                                                              on_faults;
+    }
+
+    /** The larger errors of two steps. */
+    StepError
+    larger(const StepError &other) const
+    {
+      return {std::max(faults, other.faults), std::max(bodies, other.bodies)};
+    }
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &faults &bodies;
+    }
+  };
+
   /**
    * Memory of an accepted state for predictions and estimates of the error;
    * arrays over the slave nodes.
@@ -68,10 +105,9 @@ namespace StickSlip
 
     bool just_rejected = false;
 
-    /** Errors as StepHistory estimates them, in m^((d-1)/2): of the last step
-     * that could be solved, and the largest of an accepted one; zero under
-     * step doubling, which compares something else. */
-    double last_error = 0, largest_error = 0;
+    /** Errors of the last step that could be solved, and the largest of an
+     * accepted one; zero under step doubling, which compares something else. */
+    StepError last_error, largest_error;
 
     /** Largest loads met so far. */
     LargestLoads<dim> largest_loads;

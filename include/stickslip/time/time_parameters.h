@@ -76,16 +76,15 @@ namespace StickSlip
 
     StepSizeControl control = StepSizeControl::embedded;
 
-    /** Tolerance of the embedded control, the largest
-     * StepHistory::estimate_error() of a step, m^((d-1)/2). */
-    AutomaticNumber tolerance = 3e-6;
+    /** Errors that the embedded control allows in a step, see StepError. */
+    double tolerance = 1.3e-6, body_tolerance = 1e-3;
 
     /** Energy that contacts may take in a step, over the kinetic energy. */
     double impact_tolerance = 1e-3;
 
-    /** Threshold of the step doubling control: largest L2(faults) norm of the
-     * difference of ln theta between one step and two, m^((d-1)/2). */
-    AutomaticNumber doubling_threshold = 1e-5;
+    /** Threshold of the step doubling control: largest difference of ln theta
+     * between one step and two in the fault_norm(). */
+    double doubling_threshold = 4.5e-6;
 
     /** Step sizes, s. The step sizes used are largest_step 2^-k. */
     double          initial_step  = 1e-3;
@@ -113,9 +112,9 @@ namespace StickSlip
 
     RateSolver rate_solver = RateSolver::tnnmg;
 
-    /** The rate-state iteration ends when the state, L2(fault), changes less.
-     */
-    AutomaticNumber rate_state_tolerance = 1e-6;
+    /** The rate-state iteration ends when the state changes less, in the
+     * fault_norm(). */
+    double rate_state_tolerance = 4.5e-7;
 
     /** More iterations than this reject the step. */
     unsigned int max_rate_state_iterations = 100;
