@@ -71,6 +71,22 @@ SPACE = [
     "Boundary conditions/upper top/y value=0.1*t",
     "Boundary conditions/lower bottom/z condition=fixed",
 ]
+EXPLICIT = [
+    "Time/Step size control=Runge-Kutta",
+    "Time/Inertia=quasi-dynamic",
+    "Bodies/lower/Material/Shear viscosity=0",
+    "Bodies/lower/Material/Bulk viscosity=0",
+    "Bodies/upper/Material/Shear viscosity=0",
+    "Bodies/upper/Material/Bulk viscosity=0",
+]
+# The sides part and meet again, and every file is written.
+OPENING = [
+    "Faults/fault/Contact=unilateral",
+    "Boundary conditions/upper top/y condition=velocity",
+    "Boundary conditions/upper top/y value=0.05*sin(8*t)",
+    "Output/Energy balance=true",
+    "Output/Stations=middle: fault 0 0, above: upper 0 0.25",
+]
 
 # Settings, number of processes, and whether the case takes long.
 CASES = {
@@ -97,6 +113,8 @@ CASES = {
         2,
         True,
     ),
+    "explicit": (FAST + PLANE + EXPLICIT, 1, True),
+    "opening": (FAST + PLANE + OPENING, 1, True),
 }
 
 

@@ -27,10 +27,12 @@ namespace StickSlip
   namespace
   {
     // Unknowns of the coarser scene: as many as the first where refinement
-    // allows it, and less than the second where cells can be joined. Nothing is
-    // found out of meshes with more than the last.
-    constexpr double wanted_unknowns = 2000., many_unknowns = 20000.,
-                     most_unknowns = 400000.;
+    // allows it, and less than the second where cells can be joined.
+    constexpr double wanted_unknowns = 2000., many_unknowns = 20000.;
+
+    // Meshes with more take longer than 20 s.
+    template <int dim>
+    constexpr double most_unknowns = dim == 2 ? 400000. : 100000.;
 
 
 
@@ -103,7 +105,7 @@ namespace StickSlip
             }
         }
       const double n = unknowns();
-      if (n > most_unknowns)
+      if (n > most_unknowns<dim>)
         return nullptr;
       // A factorisation would take minutes.
       if (dim == 3 && n > many_unknowns)
