@@ -175,7 +175,8 @@ def kill(process):
 def differences(first, second):
     """Yield a sentence for each difference between two output folders."""
     names = [
-        sorted(p.name for p in folder.iterdir() if p.name not in IGNORED)
+        sorted(str(p.relative_to(folder)) for p in folder.rglob("*")
+               if p.is_file() and p.relative_to(folder).parts[0] not in IGNORED)
         for folder in (first, second)
     ]
     if names[0] != names[1]:
@@ -191,8 +192,10 @@ IGNORED = ("summary.txt", "parameters.prm", "checkpoints")
 
 
 def contents(path):
-    """Bytes of a file; of a VTU file without the time at which it was made."""
-    return re.sub(rb"<!--.*?-->", b"", path.read_bytes(), flags=re.DOTALL)
+    """Bytes of a file; of a VTU file without the time at which it was made, of a
+    station without the name of the run."""
+    return re.sub(rb"<!--.*?-->|^# problem=[^\n]*", b"", path.read_bytes(),
+                  flags=re.DOTALL | re.MULTILINE)
 
 
 def history_differences(first, second):
