@@ -26,9 +26,13 @@ namespace StickSlip
 {
   namespace
   {
-    // Unknowns of the coarser scene: as many as this where refinement allows
-    // it, and never more than the latter.
-    constexpr double wanted_unknowns = 2000., most_unknowns = 20000.;
+    // Unknowns of the coarser scene: as many as the first where refinement
+    // allows it, and less than the second where cells can be joined.
+    constexpr double wanted_unknowns = 2000., many_unknowns = 20000.;
+
+    // Meshes with more take longer than 20 s.
+    template <int dim>
+    constexpr double most_unknowns = dim == 2 ? 400000. : 100000.;
 
 
 
@@ -44,22 +48,47 @@ namespace StickSlip
 
 
 
+    /** Make the coarse cells of all bricks twice as long; false if none can
+     * be. */
+    template <int dim>
+    bool
+    join_coarse_cells(SceneParameters<dim> &scene)
+    {
+      bool is_coarser = false;
+      for (BodyParameters<dim> &body : scene.bodies)
+        for (unsigned int &n : body.geometry.coarse_cells)
+          if (n > 2)
+            {
+              n          = (n + 1) / 2;
+              is_coarser = true;
+            }
+      return is_coarser;
+    }
+
+
+
     /** The scene with as little refinement as leaves the wanted number of
-     * unknowns; null if there are too many without any. */
+     * unknowns, on longer cells or the coarsest mesh file where there are many
+     * without any; null if there are too many still. */
     template <int dim>
     std::unique_ptr<SceneParameters<dim>>
     coarser_scene(const SceneParameters<dim> &scene)
     {
-      auto coarser = std::make_unique<SceneParameters<dim>>(scene);
-      coarser->coarser_meshes.clear();
-      const auto is_large_enough = [&](const double unknowns) {
-        return estimate_meshes(*coarser).unknowns(scene.n_components()) >=
-               unknowns;
+      auto       coarser  = std::make_unique<SceneParameters<dim>>(scene);
+      const auto unknowns = [&]() {
+        return estimate_meshes(*coarser).unknowns(scene.n_components());
       };
+      coarser->coarser_meshes.clear();
       for (BodyParameters<dim> &body : coarser->bodies)
         body.geometry.uniform_refinements = body.geometry.refinement_passes = 0;
+      if (!scene.mesh)
+        while (unknowns() > many_unknowns && join_coarse_cells(*coarser))
+          ;
+      else if (!scene.coarser_meshes.empty() && unknowns() > many_unknowns)
+        coarser->mesh = scene.coarser_meshes.back();
+
       bool can_grow = true;
-      while (can_grow && !is_large_enough(wanted_unknowns))
+      while (can_grow && unknowns() < wanted_unknowns)
         {
           can_grow = false;
           for (unsigned int b = 0; b < scene.bodies.size(); ++b)
@@ -75,7 +104,13 @@ namespace StickSlip
               can_grow = true;
             }
         }
-      return is_large_enough(most_unknowns) ? nullptr : std::move(coarser);
+      const double n = unknowns();
+      if (n > most_unknowns<dim>)
+        return nullptr;
+      // A factorisation would take minutes.
+      if (dim == 3 && n > many_unknowns)
+        coarser->tnnmg.coarse_solver = CoarseSolverType::amg;
+      return coarser;
     }
 
 
