@@ -11,7 +11,8 @@ those of the scene over or times a power of two; Y are years of 365 days. The ru
 to output/seas/NAME_M/, the figure to figure.png there, profiles of slip and stresses
 in the form of the benchmarks to slip.dat, shear_stress.dat and normal_stress.dat, and
 a table of the events to the screen: an event begins when the largest slip rate passes
-1e-3 m/s. With --drawn-only an earlier run is taken; --set is passed on.
+1e-3 m/s; of bp5 also their moments, and when the first rupture arrives where. With
+--drawn-only an earlier run is taken; --set is passed on.
 """
 
 import dataclasses
@@ -22,6 +23,7 @@ import h5py
 import numpy as np
 
 from common import figures, programs
+from experiments.seas import rupture
 
 YEAR = 365 * 86400.
 THRESHOLD = 1e-3
@@ -53,6 +55,7 @@ BENCHMARKS = {
                               (177.22, 277.53, 334.53, 421.54, 514.05, 611.52, 674.79)),
     "bp3_normal60": Benchmark(PLANE, 200., 13, 2. / math.sqrt(3.)),
     "bp3_thrust30": Benchmark(PLANE, 200., 13, 2.),
+    "bp5": Benchmark(("minus", "plus"), 2000., 7),
 }
 
 
@@ -201,6 +204,12 @@ def main():
     series = {"time": table["time"], "rate": np.abs(table["fault.max_slip_rate"])}
     starts, peaks = events(series["time"], series["rate"])
     show(given.name, starts, peaks)
+    if given.name == "bp5":
+        on_grid = rupture.read(folder)
+        rupture.show(on_grid)
+        rupture.show_arrivals(on_grid)
+        rupture.draw(folder, series, on_grid)
+        return
     history = read_fault(folder, benchmark)
     write_profiles(folder, history)
     draw(folder, series, history)
