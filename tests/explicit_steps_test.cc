@@ -240,7 +240,7 @@ TEST(ExplicitSteps, BodiesFollowForThoseWhoLook)
       simulation->advance();
     return simulation;
   };
-  const auto looked_at = end("true"), alone = end("false");
+  const auto            looked_at = end("true"), alone = end("false");
   const SystemState<2> &state = alone->state(), &expected = looked_at->state();
   EXPECT_TRUE(expected.is_complete);
   EXPECT_FALSE(state.is_complete);
@@ -273,8 +273,7 @@ TEST(ExplicitSteps, BodiesFollowForThoseWhoLook)
     {
       largest = std::max(largest, std::abs(in_bodies[k][0]));
       error =
-        std::max(error,
-                 std::abs(in_bodies[k][0] - state.fault_force[k][0]));
+        std::max(error, std::abs(in_bodies[k][0] - state.fault_force[k][0]));
     }
   EXPECT_GT(largest, 0.);
   EXPECT_LT(error, 1e-9 * largest);

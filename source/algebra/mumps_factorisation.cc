@@ -46,10 +46,10 @@ namespace StickSlip
       if (all_nodes != nullptr &&
           Utilities::MPI::n_mpi_processes(all_nodes->communicator()) > 1)
         {
-          nodes     = std::make_unique<NodePartition>(*all_nodes);
-          n_entries = Utilities::MPI::all_gather(nodes->communicator(),
-                                                 int(nodes->n_owned() *
-                                                     n_components));
+          nodes = std::make_unique<NodePartition>(*all_nodes);
+          n_entries =
+            Utilities::MPI::all_gather(nodes->communicator(),
+                                       int(nodes->n_owned() * n_components));
           first_entry.assign(n_entries.size(), 0);
           std::partial_sum(n_entries.begin(),
                            n_entries.end() - 1,
@@ -133,9 +133,13 @@ namespace StickSlip
           for (unsigned int c = 0; c < n_components; ++c)
             for (unsigned int d = 0; d < n_components; ++d)
               {
-                const types::global_dof_index
-                  I = global_node(i) * n_components + c,
-                  J = global_node(source->column[k]) * n_components + d;
+                const types::global_dof_index I =
+                                                global_node(i) * n_components +
+                                                c,
+                                              J =
+                                                global_node(source->column[k]) *
+                                                  n_components +
+                                                d;
                 if (J <= I)
                   {
                     row.push_back(I + 1);
@@ -143,8 +147,7 @@ namespace StickSlip
                   }
               }
       value.resize(row.size());
-      mumps.n =
-        (nodes ? nodes->n_global() : source->n_rows()) * n_components;
+      mumps.n   = (nodes ? nodes->n_global() : source->n_rows()) * n_components;
       mumps.nnz = mumps.nnz_loc = value.size();
       mumps.irn = mumps.irn_loc = row.data();
       mumps.jcn = mumps.jcn_loc = column.data();
@@ -257,7 +260,7 @@ namespace StickSlip
   void
   MumpsFactorisation<n_components>::solve(NodalVector &x, const NodalVector &b)
   {
-    Implementation &data = *implementation;
+    Implementation     &data = *implementation;
     std::vector<double> all;
     if (data.nodes)
       all = gather_on_first(b);

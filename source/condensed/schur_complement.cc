@@ -77,7 +77,7 @@ namespace StickSlip
       std::vector<double> mine;
       if (me == 0)
         {
-          mine         = cut(0, n_of_process[0]);
+          mine               = cut(0, n_of_process[0]);
           unsigned int begin = n_of_process[0];
           for (unsigned int p = 1; p < n_of_process.size(); ++p)
             {
@@ -124,10 +124,9 @@ namespace StickSlip
     NodeMask kept(nodes.n_local(), n_components);
     for (unsigned int i = 0; i < nodes.n_owned(); ++i)
       for (unsigned int c = 0; c < n_components; ++c)
-        if (!fixed.is_active(i, c) &&
-            !std::binary_search(known.begin(),
-                                known.end(),
-                                i * n_components + c))
+        if (!fixed.is_active(i, c) && !std::binary_search(known.begin(),
+                                                          known.end(),
+                                                          i * n_components + c))
           kept.mask(i, c);
     kept.update_ghosts(nodes);
     factors.set_matrix(K, kept);
@@ -135,16 +134,15 @@ namespace StickSlip
     const std::vector<int> known_of_process =
       Utilities::MPI::all_gather(communicator, int(n_known));
     const unsigned int size =
-      n_all + std::accumulate(known_of_process.begin(),
-                              known_of_process.end(),
-                              0u);
+      n_all +
+      std::accumulate(known_of_process.begin(), known_of_process.end(), 0u);
     std::vector<double> matrix = factors.take_schur_complement();
     stride                     = size;
     if (n_of_process.size() > 1)
       {
         stride = n_all;
-        rows   = scattered_rows(
-          matrix, size, 0, n_all, n_of_process, communicator);
+        rows =
+          scattered_rows(matrix, size, 0, n_all, n_of_process, communicator);
         const std::vector<double> rows_of_known = scattered_rows(
           matrix, size, n_all, n_all, known_of_process, communicator);
         rows.insert(rows.end(), rows_of_known.begin(), rows_of_known.end());

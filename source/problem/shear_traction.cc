@@ -123,17 +123,17 @@ namespace StickSlip
 
 
 
-  template decltype(directed_friction<2>)      directed_friction<2>;
-  template decltype(directed_friction<3>)      directed_friction<3>;
-  template decltype(shear_traction<2>)         shear_traction<2>;
-  template decltype(shear_traction<3>)         shear_traction<3>;
-#define STICKSLIP_INSTANTIATE(dim, n_components)                              \
-  template std::vector<Tensor<1, dim - 1>> balancing_tractions(               \
-    const FaultNodes<dim> &,                                                  \
-    const NodeLaws &,                                                         \
-    const SystemState<dim> &,                                                 \
-    const BlockMatrix<n_components> &,                                        \
-    const NodalVector &,                                                      \
+  template decltype(directed_friction<2>) directed_friction<2>;
+  template decltype(directed_friction<3>) directed_friction<3>;
+  template decltype(shear_traction<2>)    shear_traction<2>;
+  template decltype(shear_traction<3>)    shear_traction<3>;
+#define STICKSLIP_INSTANTIATE(dim, n_components)                \
+  template std::vector<Tensor<1, dim - 1>> balancing_tractions( \
+    const FaultNodes<dim> &,                                    \
+    const NodeLaws &,                                           \
+    const SystemState<dim> &,                                   \
+    const BlockMatrix<n_components> &,                          \
+    const NodalVector &,                                        \
     const NodalVector &);
 
   STICKSLIP_INSTANTIATE(2, 2)

@@ -374,8 +374,7 @@ namespace StickSlip
                                              const bool fault_history,
                                              const bool fields) const
   {
-    return fields ||
-           (at_stations && stations.any_in_bodies()) ||
+    return fields || (at_stations && stations.any_in_bodies()) ||
            (fault_history &&
             has_field(scene.output.fault_fields, FaultField::position));
   }

@@ -384,7 +384,7 @@ namespace StickSlip
   {
     TimerOutput::Scope section(timer, "Contact mapping");
     complete_state();
-    SystemState<dim>  &current = run_state.system;
+    SystemState<dim> &current = run_state.system;
     ++run_state.counts.contact_mappings;
     run_state.coupled_displacement = current.displacement;
     run_state.coupled_slip         = current.slip;

@@ -91,7 +91,7 @@ namespace StickSlip
                                                       std::vector<double>(
                                                         faults.size())))
   {
-    const std::vector<unsigned int>                   &nodes = faults.owned_contact();
+    const std::vector<unsigned int> &nodes = faults.owned_contact();
     std::vector<std::pair<unsigned int, unsigned int>> here(entries.size());
     for (unsigned int i = 0; i < nodes.size(); ++i)
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -249,11 +249,10 @@ namespace StickSlip
                                                  const NodalVector &load_rate)
   {
     const bool load_varies = load_rate.linfty_norm() > 0.;
-    const bool is_new =
-      driven_by.size() == 0 || load_varies ||
-      !std::equal(known.begin(),
-                  known.begin() + known.locally_owned_size(),
-                  driven_by.begin());
+    const bool is_new      = driven_by.size() == 0 || load_varies ||
+                        !std::equal(known.begin(),
+                                    known.begin() + known.locally_owned_size(),
+                                    driven_by.begin());
     if (Utilities::MPI::max(int(is_new), known.get_mpi_communicator()) > 0)
       {
         NodalVector w = known;
@@ -401,8 +400,8 @@ namespace StickSlip
     const NodalVector load_rate = this->load_rate(from.time + tau, tau),
                       known     = known_velocities(from.time),
                       known_end = known_velocities(from.time + tau);
-    const Forces drive = driven_forces(known, load_rate),
-                 drive_end = driven_forces(known_end, load_rate);
+    const Forces drive          = driven_forces(known, load_rate),
+                 drive_end      = driven_forces(known_end, load_rate);
 
     // Stages, of which the last one is the end.
     std::array<Stage, n_stages> stages;
@@ -480,11 +479,11 @@ namespace StickSlip
     add(forces.prescribed, 0.5 * tau, drive_end.prescribed);
     add(forces.prescribed, -tau, product);
 
-    to.time          = from.time + tau;
-    to.last_step     = tau;
-    to.alpha         = alpha;
-    to.slip_rate     = stages[n_stages - 1].slip_rate;
-    to.normal_stress = normal_stress;
+    to.time                = from.time + tau;
+    to.last_step           = tau;
+    to.alpha               = alpha;
+    to.slip_rate           = stages[n_stages - 1].slip_rate;
+    to.normal_stress       = normal_stress;
     NodalVector mean_known = known;
     mean_known += known_end;
     mean_known *= 0.5;
