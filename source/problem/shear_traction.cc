@@ -67,7 +67,7 @@ namespace StickSlip
 
   namespace
   {
-    /** The same on all processes, which have all nodes. */
+    /** Answers are the same on all processes, which have all nodes. */
     template <int dim>
     bool
     is_any_balancing(const FaultNodes<dim>  &faults,

@@ -321,7 +321,7 @@ namespace StickSlip
     const std::vector<double> &force,
     const std::vector<double> &normal_stress) const
   {
-    // The same on all processes.
+    // All processes have these, and return together.
     if (!are_numbers(alpha) || !are_numbers(normal_stress))
       return false;
     friction->set_normal_stresses(faults.at_owned_contact(normal_stress));
