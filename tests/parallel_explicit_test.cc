@@ -155,7 +155,7 @@ end
 TEST(ParallelExplicit, ContactFollowsTheSlip)
 {
   const SharedAndAlone runs(
-    fast_sliding_scene(explicit_steps + Settings{"Time/End time=0.7"}));
+    fast_sliding_scene(explicit_steps + Settings{"Time/End time=0.3"}));
   EXPECT_GT(runs.alone.counts().contact_mappings, 1u);
   EXPECT_EQ(runs.shared.counts().contact_mappings,
             runs.alone.counts().contact_mappings);

@@ -3,8 +3,8 @@
 # Copyright (C) 2026 by the stickslip authors
 """Run a benchmark of the SEAS project and put it beside published numbers.
 
-Usage: contrib/seas NAME [--cell M] [--years Y] [--drawn-only] [--set ENTRY=VALUE]
-                    [--program FILE]
+Usage: contrib/seas NAME [--cell M] [--years Y] [--drawn-only] [--image]
+                    [--set ENTRY=VALUE] [--program FILE]
 
 NAME is that of a scene of parameters/seas, as bp1. Cells on the fault have M metres,
 those of the scene over or times a power of two; Y are years of 365 days. The run goes
@@ -12,7 +12,8 @@ to output/seas/NAME_M/, the figure to figure.png there, profiles of slip and str
 in the form of the benchmarks to slip.dat, shear_stress.dat and normal_stress.dat, and
 a table of the events to the screen: an event begins when the largest slip rate passes
 1e-3 m/s; of bp5 also their moments, and when the first rupture arrives where. With
---drawn-only an earlier run is taken; --set is passed on.
+--drawn-only an earlier run is taken, with --image the figure goes to doc/images as well;
+--set is passed on.
 """
 
 import dataclasses
@@ -162,7 +163,7 @@ def write_profiles(folder, history):
                 file.write(f"{history.time[i]:.13E} {np.log10(rate):.6E} {line}\n")
 
 
-def draw(folder, series, history):
+def draw(series, history):
     figure, (above, below) = figures.new_figure(2, height=7.)
     above.semilogy(series["time"] / YEAR, series["rate"], lw=0.7, color=figures.BLUE)
     above.axhline(THRESHOLD, lw=0.5, color=figures.GREY)
@@ -173,8 +174,14 @@ def draw(folder, series, history):
     below.invert_yaxis()
     below.set(xlabel="slip [m]; every 5 yr (blue) and every second of events (red)",
               ylabel="distance down the fault [km]")
+    return figure
+
+
+def save(figure, given, folder):
     path = folder / "figure.png"
     figure.savefig(path, dpi=110)
+    if given.image:
+        path = figures.save(figure, f"seas_{given.name}")
     print(f"The figure is {path}.")
 
 
@@ -184,6 +191,7 @@ def main():
     parser.add_argument("--cell", type=float)
     parser.add_argument("--years", type=float)
     parser.add_argument("--drawn-only", action="store_true")
+    parser.add_argument("--image", action="store_true")
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--program", default=programs.PROGRAM)
     given = parser.parse_args()
@@ -208,11 +216,11 @@ def main():
         on_grid = rupture.read(folder)
         rupture.show(on_grid)
         rupture.show_arrivals(on_grid)
-        rupture.draw(folder, series, on_grid)
+        save(rupture.draw(series, on_grid), given, folder)
         return
     history = read_fault(folder, benchmark)
     write_profiles(folder, history)
-    draw(folder, series, history)
+    save(draw(series, history), given, folder)
 
 
 if __name__ == "__main__":

@@ -118,7 +118,7 @@ def show_arrivals(history):
     print("  ".join(f"{y / 1e3:g}: {at(0., y):.1f}" for y in np.arange(0., 21e3, 4e3)))
 
 
-def draw(folder, series, history):
+def draw(series, history):
     figure, axes = figures.new_figure(4, height=11.)
     axes[0].semilogy(series["time"] / YEAR, series["rate"], lw=0.7, color=figures.BLUE)
     axes[0].axhline(THRESHOLD, lw=0.5, color=figures.GREY)
@@ -149,6 +149,4 @@ def draw(folder, series, history):
                        color=figures.VERMILION if fast else figures.BLUE)
         frame.set(xlabel=label, ylabel="slip [m]")
     axes[2].set(title="slip every 10 yr (blue) and every 2 s of events (red)")
-    path = folder / "figure.png"
-    figure.savefig(path, dpi=110)
-    print(f"The figure is {path}.")
+    return figure
