@@ -47,7 +47,7 @@ namespace StickSlip
     const std::vector<double> &
     schur_complement() const;
 
-    /** That complement to keep; it is not here any more then. */
+    /** Schur complement to keep; it is not here any more then. */
     std::vector<double>
     take_schur_complement();
 
