@@ -580,9 +580,6 @@ namespace StickSlip
       return;
     const std::string ending = ": runs on one process only, but there are " +
                                std::to_string(n_processes) + ".";
-    if (scene.time.control == StepSizeControl::runge_kutta)
-      throw InputError(naming("Time/Step size control", "Runge-Kutta") +
-                       ending);
     if (scene.time.rate_solver == RateSolver::condensed_newton)
       throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
     const std::map<LinearCorrectionType, std::string> names = {

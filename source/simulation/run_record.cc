@@ -208,11 +208,13 @@ namespace StickSlip
     const SceneParameters<dim>            &scene,
     const ContactSpace<dim, n_components> &space,
     const std::vector<FaultSnapshot<dim>> &faults,
+    const std::function<void()>           &complete_state,
     const RecordState                     *earlier)
     : scene(scene)
     , space(space)
     , communicator(space.meshes().finest().nodes.communicator())
     , stations(scene, space.meshes().finest(), space.jump_basis())
+    , complete_state(complete_state)
     , fault_cadence(scene.output.fault_cadence)
     , station_cadence(scene.output.station_cadence)
     , volume_cadence(scene.output.volume_cadence)
@@ -294,6 +296,8 @@ namespace StickSlip
     const bool                              at_stations,
     const bool                              fields)
   {
+    if (shows_bodies(at_stations, faults, fields))
+      complete_state();
     std::optional<EnergyRecord> energies;
     if (faults && energy != nullptr)
       energies = energy_record(*energy, state);
@@ -360,6 +364,19 @@ namespace StickSlip
         volume_cadence.note_written(last_step.time, last_slip_rate);
         in_fields = true;
       }
+  }
+
+
+
+  template <int dim, int n_components>
+  bool
+  RunRecord<dim, n_components>::shows_bodies(const bool at_stations,
+                                             const bool fault_history,
+                                             const bool fields) const
+  {
+    return fields || (at_stations && stations.any_in_bodies()) ||
+           (fault_history &&
+            has_field(scene.output.fault_fields, FaultField::position));
   }
 
 
