@@ -221,9 +221,15 @@ namespace StickSlip
     void
     check_refinement(const SceneParameters<3> &scene)
     {
+      const MeshAccuracy &wanted = scene.mesh_accuracy;
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-        if (scene.mesh->bodies[b].cells[0].vertices.size() == 4 &&
-            scene.bodies[b].geometry.refinement_passes > 0)
+        if (scene.mesh->bodies[b].cells[0].vertices.size() != 4)
+          continue;
+        else if (wanted.relative_error > 0. || !wanted.refined_cells.empty())
+          throw InputError(naming("Mesh/Accuracy", wanted.relative_error) +
+                           ": must be 0, and no refined cells be given, since "
+                           "tetrahedra are refined all over only.");
+        else if (scene.bodies[b].geometry.refinement_passes > 0)
           throw InputError(
             naming("Bodies/" + scene.bodies[b].name + "/Refinement passes",
                    scene.bodies[b].geometry.refinement_passes) +
