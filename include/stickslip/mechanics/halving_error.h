@@ -16,8 +16,8 @@ namespace StickSlip
    * same field on the mesh with all of its cells refined once.
    *
    * With the field u of the finer mesh and that of the coarser one, v, it is
-   * the energy of u - v. Of what is left on the finer mesh, for elements of
-   * degree one, it is three times as much.
+   * the energy of u - v. For elements of degree one and smooth fields, a third
+   * of it is left on the finer mesh, at corners more.
    */
   struct HalvingError
   {
