@@ -5,6 +5,8 @@
 
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/magnitude.h>
+#include <stickslip/mesh/refined_cells.h>
+#include <stickslip/output/atomic_file.h>
 #include <stickslip/output/contact_states.h>
 #include <stickslip/output/fault_surface_writer.h>
 #include <stickslip/scene/loading_rate.h>
@@ -180,7 +182,16 @@ namespace StickSlip
         surfaces.resume(earlier->surfaces);
       }
     describe_tables(faults);
-    write_parameters(scene, directory.file("parameters.prm"));
+    SceneParameters<dim> repeated = scene;
+    if (!scene.mesh_accuracy.refined_cells.empty())
+      {
+        MeshAccuracy &meshes      = repeated.mesh_accuracy;
+        meshes.refined_cells_file = MeshAccuracy::file_of_run;
+        write_file_atomically(directory.file(meshes.refined_cells_file),
+                              table_of_refined_cells(names_of(scene.bodies),
+                                                     meshes.refined_cells));
+      }
+    write_parameters(repeated, directory.file("parameters.prm"));
   }
 
 
