@@ -17,7 +17,8 @@ namespace StickSlip
    *
    * With the field u of the finer mesh and that of the coarser one, v, it is
    * the energy of u - v. For elements of degree one and smooth fields, a third
-   * of it is left on the finer mesh, at corners more.
+   * of it is left on the finer mesh, at corners more (Ferraz-Leite, Ortner,
+   * Praetorius 2010).
    */
   struct HalvingError
   {
