@@ -221,7 +221,7 @@ TEST(AdaptiveMeshes, EstimatedErrorIsTheTrueOne)
         .read<2>();
     std::ostringstream report;
     adapt_meshes(scene, no_limit, report);
-    // What stands behind "loading".
+    // The number behind "loading".
     const std::string text  = report.str();
     const std::size_t place = text.find("loading ");
     EXPECT_NE(place, std::string::npos) << text;

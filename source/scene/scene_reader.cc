@@ -486,7 +486,7 @@ namespace StickSlip
                           empty_subsections,
                           {"Boundary conditions"});
     const MeshEntries mesh_entries = scene.mesh_entries;
-    // What the program chooses starts from the coarse cells.
+    // Meshes that the program chooses start from the coarse cells.
     if (value_of("Mesh/Refined cells") != "" ||
         !(value_of("Mesh/Accuracy") == "" || value_of("Mesh/Accuracy") == "0"))
       for (BodyParameters<dim> &body : scene.bodies)

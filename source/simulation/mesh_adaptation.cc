@@ -221,7 +221,7 @@ namespace StickSlip
     {
       double                           largest = 0.;
       std::vector<std::vector<double>> of_cells;
-      /** What has which error. */
+      /** Names and their errors. */
       std::ostringstream report;
     };
 

@@ -86,7 +86,7 @@ namespace StickSlip
       else if (!scene.coarser_meshes.empty() && unknowns() > many_unknowns)
         coarser->mesh = scene.coarser_meshes.back();
 
-      // Where the program chooses the cells, they may be refined all over.
+      // Cells that the program chooses may be refined all over.
       const unsigned int n_chosen =
         scene.mesh_accuracy.refined_cells.empty() ? 0 : 3;
       bool can_grow = true;

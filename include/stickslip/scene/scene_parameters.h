@@ -76,7 +76,7 @@ namespace StickSlip
     /** Coarser meshes of the same bodies, finest first. */
     std::vector<std::shared_ptr<const CutMesh<dim>>> coarser_meshes;
 
-    /** What the program refines by itself. */
+    /** Refinement that the program chooses. */
     MeshAccuracy mesh_accuracy;
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;

@@ -41,7 +41,7 @@ namespace StickSlip
 
 
 
-  /** What the part of a fault with b > a is able to at the start of a run, in
+  /** Abilities of the part of a fault with b > a at the start of a run, in
    * the state after Simulation::set_up(). Changes the combination of matrices
    * of the problem. Collective. */
   template <int dim, int n_components>
