@@ -35,8 +35,8 @@ namespace StickSlip
    * pressures are carried from step to step, and complete() brings the bodies
    * of a state into equilibrium, for those who want to see them.
    *
-   * What is prescribed is taken as linear in time within a step. Processes have
-   * the friction and the rows of S of their own nodes.
+   * Prescribed motion and loads are linear in time within a step. Processes
+   * have the friction and the rows of S of their own nodes.
    */
   template <int dim, int n_components = dim>
   class ExplicitStep
