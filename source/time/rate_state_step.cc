@@ -73,6 +73,19 @@ namespace StickSlip
       return std::make_unique<TNNMGSolver<n_components>>(problem.hierarchy(),
                                                          parameters);
     }
+
+
+
+    /** What is left to change if @p change goes on shrinking as it has shrunk
+     * since the one @p before, and no less than the last change. One that does
+     * not shrink is rounding where it is below a tolerance. */
+    double
+    remaining_change(const double change, const double before)
+    {
+      const double factor = change / before;
+      return factor > 0.5 && factor < 1. ? change * factor / (1. - factor) :
+                                           change;
+    }
   } // namespace
 
 
@@ -138,6 +151,7 @@ namespace StickSlip
 
         SolveSummary    rate;
         StressIteration stress(fault_nodes.weights());
+        double          change  = std::numeric_limits<double>::infinity();
         bool            settled = false;
         while (!settled)
           {
@@ -152,10 +166,9 @@ namespace StickSlip
             const double of_state = update_state(to, from, w, tau, contact);
             const double of_stress =
               follow_pressure(to, from, tau, rhs, w, contact, stress);
-            settled = have_settled(rate,
-                                   of_state,
-                                   of_stress,
-                                   counts.rate_state_iterations);
+            settled = have_settled(
+              rate, of_state, of_stress, change, counts.rate_state_iterations);
+            change = std::hypot(of_state, of_stress);
           }
         complete(to, from, tau, rhs, w, contact);
         if (unilateral.is_needed())
@@ -444,16 +457,18 @@ namespace StickSlip
     const SolveSummary &rate,
     const double        of_state,
     const double        of_stress,
+    const double        change_before,
     const unsigned int  n_iterations) const
   {
-    const double change = std::hypot(of_state, of_stress);
+    const double change    = std::hypot(of_state, of_stress),
+                 remaining = remaining_change(change, change_before);
     if (!std::isfinite(change) ||
         !std::isfinite(rate.iterations.back().correction_norm))
       throw StepFailure("the solution is not a number");
     if (is_nested() && !rate.converged)
       throw StepFailure("the rate problem was not solved within " +
                         std::to_string(rate.iterations.size()) + " iterations");
-    if (rate.converged && change <= time_parameters.rate_state_tolerance)
+    if (rate.converged && remaining <= time_parameters.rate_state_tolerance)
       return true;
     if (n_iterations >= time_parameters.max_rate_state_iterations)
       {
@@ -466,7 +481,7 @@ namespace StickSlip
             ", and may have no solution that does where a body leans from the "
             "normal of a fault by less than the angle of friction");
         if (unilateral.is_needed() &&
-            change <= time_parameters.rate_state_tolerance)
+            remaining <= time_parameters.rate_state_tolerance)
           throw StepFailure(
             "velocities" + within +
             ", which may need more 'TNNMG/Cycles per correction' for a body "

@@ -166,8 +166,10 @@ namespace StickSlip
                rate_state_tolerance,
                NumberRange().above(0),
                "The rate-state iteration ends when the logarithm of the state "
-               "changes less than this: the root of the mean square over a "
-               "fault, without unit. Squares of several faults add up.");
+               "changes less than this, and less than this in all further "
+               "iterations together if they go on as the last one: the root "
+               "of the mean square over a fault, without unit. Squares of "
+               "several faults add up.");
     add_count(prm,
               "Largest number of rate-state iterations",
               max_rate_state_iterations,

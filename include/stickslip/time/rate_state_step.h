@@ -181,11 +181,13 @@ namespace StickSlip
                  const std::vector<bool> &touching) const;
 
     /** True if rate, state and normal stress have settled, of which the latter
-     * two have changed by that much. Throws StepFailure if they never will. */
+     * two have changed by that much, and by @p change_before together in the
+     * iteration before. Throws StepFailure if they never will. */
     bool
     have_settled(const SolveSummary &rate,
                  const double        of_state,
                  const double        of_stress,
+                 const double        change_before,
                  const unsigned int  n_iterations) const;
 
     /** Everything of @p to that follows from the solution. Throws StepFailure
