@@ -9,7 +9,6 @@
 #include <stickslip/time/step_history.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -216,7 +215,7 @@ namespace StickSlip
   StepHistory<dim, n_components>::body_error(const PastState<dim> &now,
                                              const Extrapolation  &past) const
   {
-    std::array<double, 2> sums = {{0., 0.}};
+    double        squares = 0., sizes = 0.;
     const double *v = now.velocity.begin(), *v0 = records[0].velocity.begin(),
                  *v1 = records[1].velocity.begin(),
                  *v2 = records[2].velocity.begin();
@@ -231,13 +230,13 @@ namespace StickSlip
                              past.oldest * v2[i];
             square += e * e;
           }
-        sums[0] += (*nodal_masses)[node] * square;
-        sums[1] += (*nodal_masses)[node] * std::sqrt(square);
+        squares += (*nodal_masses)[node] * square;
+        sizes += (*nodal_masses)[node] * std::sqrt(square);
       }
     const MPI_Comm communicator = now.velocity.get_mpi_communicator();
-    Utilities::MPI::sum(sums, communicator, sums);
-    return sums[1] > 0. ? past.part * sums[0] / sums[1] / velocity_scale(now) :
-                          0.;
+    squares                     = Utilities::MPI::sum(squares, communicator);
+    sizes                       = Utilities::MPI::sum(sizes, communicator);
+    return sizes > 0. ? past.part * squares / sizes / velocity_scale(now) : 0.;
   }
 
 
