@@ -229,11 +229,11 @@ TEST(StepDoubling, TakesThreeSolvesAndReusesTheFirstAfterARejection)
 
 TEST(StepDoubling, AcceptsWhatAgreesWithOneLargeStep)
 {
-  const double  threshold = 1e-5;
   SteppingScene scene(creeping_bodies,
                       {"Time/Step size control=step doubling",
                        "Time/Largest step=0.0625",
                        "Time/Initial step=0.015625"});
+  const double  threshold = scene.scene.time.doubling_threshold;
   SteppingScene other(creeping_bodies);
   double        last = 0;
   while (scene.state.time < 0.5)
@@ -255,11 +255,11 @@ TEST(StepDoubling, AcceptsWhatAgreesWithOneLargeStep)
 
 TEST(StepDoubling, DoublesWhereALongerStepIsExpectedToPass)
 {
-  const double  threshold = 1e-5;
   SteppingScene scene(creeping_bodies,
                       {"Time/Step size control=step doubling",
                        "Time/Initial step=0.00390625",
                        "Time/Ramp fraction=1"});
+  const double  threshold = scene.scene.time.doubling_threshold;
   SteppingScene other(creeping_bodies);
   unsigned int  n_pairs = 0, n_doubled = 0, n_kept = 0;
   bool          should_double = false;

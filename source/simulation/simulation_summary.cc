@@ -129,7 +129,7 @@ namespace StickSlip
       if (control != StepSizeControl::step_doubling)
         {
           section.add("largest estimated error", steps.largest_error.faults);
-          section.add("largest estimated error of the bodies",
+          section.add("largest estimated error, bodies",
                       steps.largest_error.bodies);
         }
       section.add_count("contact mappings built", counts.contact_mappings);
