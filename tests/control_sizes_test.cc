@@ -258,6 +258,7 @@ TEST(StepDoubling, DoublesWhereALongerStepIsExpectedToPass)
   SteppingScene scene(creeping_bodies,
                       {"Time/Step size control=step doubling",
                        "Time/Initial step=0.00390625",
+                       "Time/Doubling threshold=7e-6",
                        "Time/Ramp fraction=1"});
   const double  threshold = scene.scene.time.doubling_threshold;
   SteppingScene other(creeping_bodies);

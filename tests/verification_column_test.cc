@@ -372,7 +372,7 @@ TEST(Column, EstimatesAreThatOfTheError)
   };
   const std::string tolerance = "Time/Body tolerance=";
   for (const auto &[start, settings] :
-       {std::make_pair(2., Settings{tolerance + "1e-5"}),
+       {std::make_pair(2., Settings{tolerance + "1e-6"}),
         std::make_pair(20.8, Settings()),
         std::make_pair(0.5, waves_of_traction)})
     {

@@ -76,9 +76,9 @@ namespace StickSlip
 
 
 
-    /** What is left to change if @p change goes on shrinking as it has shrunk
-     * since the one @p before, and no less than the last change. One that does
-     * not shrink is rounding where it is below a tolerance. */
+    /** All changes to come if @p change goes on shrinking as it has shrunk
+     * since the one @p before, and no less than the last one. A change that
+     * does not shrink is rounding where it is below a tolerance. */
     double
     remaining_change(const double change, const double before)
     {
