@@ -94,12 +94,17 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes = faults.owned_contact();
     std::vector<std::pair<unsigned int, unsigned int>> here(entries.size());
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        if (const unsigned int entry = entries.of_node[i][d];
-            entry != numbers::invalid_unsigned_int)
-          here[entry] = {nodes[i], d};
-        else if (laws[nodes[i]].is_prescribed)
-          prescribed.push_back(faults.node(nodes[i]) * n_components + d);
+      {
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          if (const unsigned int entry = entries.of_node[i][d];
+              entry != numbers::invalid_unsigned_int)
+            here[entry] = {nodes[i], d};
+          else if (laws[nodes[i]].is_prescribed)
+            known_entries.push_back(faults.node(nodes[i]) * n_components + d);
+        if (following.is_needed() && n_components == dim)
+          known_entries.push_back(faults.node(nodes[i]) * n_components +
+                                  FaultAxes<dim>::normal_component);
+      }
     const MPI_Comm communicator =
       problem.hierarchy().finest().nodes.communicator();
     const auto all = Utilities::MPI::all_gather(communicator, here);
@@ -123,21 +128,19 @@ namespace StickSlip
       nodes,
       problem.operators().unknowns().fixed,
       entries.positions,
-      prescribed);
+      known_entries);
     if (!following.is_needed())
       return;
-    const NodalVector no_load = problem.make_vector();
+    NodalVector forces = problem.make_vector();
     pressures_of_slip.reserve(std::size_t(entries.size()) * faults.size());
     for (unsigned int i = 0; i < places.size(); ++i)
       {
-        const bool is_here =
-          i >= first_place && i < first_place + entries.size();
-        NodalVector w = problem.make_vector();
-        if (is_here)
-          w.local_element(entries.positions[i - first_place]) = 1.;
-        balance(w, no_load);
-        const std::vector<double> column = forces_of(w, no_load).pressure;
-        if (is_here)
+        for (unsigned int k = 0; k < known_entries.size(); ++k)
+          forces.local_element(known_entries[k]) =
+            condensed->row_of_known(k)[i];
+        const std::vector<double> column =
+          contact_pressures(problem.jump_basis(), nodes, forces);
+        if (i >= first_place && i < first_place + entries.size())
           pressures_of_slip.insert(pressures_of_slip.end(),
                                    column.begin(),
                                    column.end());
@@ -203,8 +206,8 @@ namespace StickSlip
     Forces result;
     for (const unsigned int position : entries.positions)
       result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : prescribed)
-      result.prescribed.push_back(forces.local_element(position));
+    for (const unsigned int position : known_entries)
+      result.known.push_back(forces.local_element(position));
     if (following.is_needed())
       {
         forces *= -1.;
@@ -234,8 +237,8 @@ namespace StickSlip
     Forces result;
     for (const unsigned int position : entries.positions)
       result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : prescribed)
-      result.prescribed.push_back(forces.local_element(position));
+    for (const unsigned int position : known_entries)
+      result.known.push_back(forces.local_element(position));
     if (following.is_needed())
       result.pressure = state.contact_pressure;
     return result;
@@ -470,14 +473,14 @@ namespace StickSlip
     if (!(error <= tolerance))
       return result;
 
-    // Forces on prescribed entries follow the mean rates.
+    // Forces on known entries follow the mean rates.
     std::vector<double> mean_rates, product;
     for (const auto &[k, d] : places)
       mean_rates.push_back(to.mean_slip_rate[k][d]);
     condensed->multiply_known(product, mean_rates);
-    add(forces.prescribed, 0.5 * tau, drive.prescribed);
-    add(forces.prescribed, 0.5 * tau, drive_end.prescribed);
-    add(forces.prescribed, -tau, product);
+    add(forces.known, 0.5 * tau, drive.known);
+    add(forces.known, 0.5 * tau, drive_end.known);
+    add(forces.known, -tau, product);
 
     to.time                = from.time + tau;
     to.last_step           = tau;
@@ -509,8 +512,8 @@ namespace StickSlip
     NodalVector forces = problem.make_vector();
     for (unsigned int i = 0; i < entries.size(); ++i)
       forces.local_element(entries.positions[i]) = end.free[i];
-    for (unsigned int i = 0; i < prescribed.size(); ++i)
-      forces.local_element(prescribed[i]) = end.prescribed[i];
+    for (unsigned int i = 0; i < known_entries.size(); ++i)
+      forces.local_element(known_entries[i]) = end.known[i];
     to.fault_force = faults.tangential_jumps(forces);
     if (following.is_needed())
       to.contact_pressure = end.pressure;

@@ -68,11 +68,11 @@ namespace StickSlip
   private:
     using Slip = std::vector<Tensor<1, dim - 1>>;
 
-    /** Forces on the free and on the prescribed entries of this process, N, and
+    /** Forces on the free and on the known entries of this process, N, and
      * contact pressures of all slave nodes, Pa; or their rates. */
     struct Forces
     {
-      std::vector<double> free, prescribed, pressure;
+      std::vector<double> free, known, pressure;
     };
 
     /** Rates at one of the times within a step: slip rates on the free entries
@@ -153,8 +153,10 @@ namespace StickSlip
     const FollowingStress<dim>         following;
 
     const CondensedEntries<n_components> entries;
-    /** Positions of the prescribed entries of this process. */
-    std::vector<unsigned int> prescribed;
+    /** Positions of the entries of this process whose forces matter although
+     * their jumps are known: those that are prescribed, and the normal ones
+     * where normal stresses follow. */
+    std::vector<unsigned int> known_entries;
     /** Node and direction of each free entry of all processes. */
     std::vector<std::pair<unsigned int, unsigned int>> places;
     /** The number among these of the first one of this process. */
