@@ -175,21 +175,43 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  NodalVector
+  ExplicitStep<dim, n_components>::velocities_of_faults(
+    const SystemState<dim> &state) const
+  {
+    NodalVector w = known_velocities(state.time);
+    for (const unsigned int k : faults.owned_contact())
+      if (slips_freely(k))
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          w.local_element(faults.node(k) * n_components + d) =
+            state.slip_rate[k][d];
+    return w;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  ExplicitStep<dim, n_components>::restrict_to_eliminated(NodalVector &w) const
+  {
+    problem.operators().unknowns().fixed.apply(w);
+    for (const unsigned int position : entries.positions)
+      w.local_element(position) = 0.;
+  }
+
+
+
+  template <int dim, int n_components>
   void
   ExplicitStep<dim, n_components>::balance(NodalVector       &w,
                                            const NodalVector &load)
   {
-    const auto restrict = [&](NodalVector &vector) {
-      problem.operators().unknowns().fixed.apply(vector);
-      for (const unsigned int position : entries.positions)
-        vector.local_element(position) = 0.;
-    };
     NodalVector forces = problem.make_vector(), change = forces;
     problem.term(SpatialProblem<dim, n_components>::stiffness)
       .residual(forces, load, w);
-    restrict(forces);
+    restrict_to_eliminated(forces);
     condensed->solve_eliminated(change, forces);
-    restrict(change);
+    restrict_to_eliminated(change);
     w += change;
   }
 
@@ -548,15 +570,67 @@ namespace StickSlip
     problem.to_jumps(w, state.displacement);
     balance(w, problem.load(state.time));
     problem.to_nodal(state.displacement, w);
-    w = known_velocities(state.time);
-    for (const unsigned int k : faults.owned_contact())
-      if (slips_freely(k))
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          w.local_element(faults.node(k) * n_components + d) =
-            state.slip_rate[k][d];
+    w = velocities_of_faults(state);
     balance(w, load_rate(state.time, state.last_step));
     problem.to_nodal(state.velocity, w);
     state.is_complete = true;
+  }
+
+
+
+  template <int dim, int n_components>
+  typename ExplicitStep<dim, n_components>::Influence
+  ExplicitStep<dim, n_components>::influence(const NodalFunctional &functional)
+  {
+    NodalVector nodal = problem.make_nodal_vector();
+    for (const auto &[entry, weight] : functional)
+      nodal.local_element(entry) += weight;
+    const NodalVector e = problem.to_dual(nodal);
+    Influence         result;
+    result.of_loads = problem.make_vector();
+    balance(result.of_loads, e);
+    NodalVector known = problem.make_vector();
+    problem.term(SpatialProblem<dim, n_components>::stiffness)
+      .residual(known, e, result.of_loads);
+    NodalVector rest = known;
+    restrict_to_eliminated(rest);
+    known -= rest;
+    for (unsigned int i = 0; i < known.locally_owned_size(); ++i)
+      if (known.local_element(i) != 0.)
+        result.of_known.emplace_back(i, known.local_element(i));
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  FunctionalValues
+  ExplicitStep<dim, n_components>::body_values(
+    const SystemState<dim>             &state,
+    const std::vector<NodalFunctional> &functionals)
+  {
+    if (functionals.empty())
+      return {};
+    if (!condensed)
+      prepare();
+    while (influences.size() < functionals.size())
+      influences.push_back(influence(functionals[influences.size()]));
+
+    const auto values_of = [&](const NodalVector &w, const NodalVector &load) {
+      std::vector<double> result;
+      for (const Influence &influence : influences)
+        result.push_back(part_of_value(influence.of_known, w));
+      sum_up(result, problem.hierarchy().finest().nodes.communicator());
+      if (load.linfty_norm() > 0.)
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i] += influences[i].of_loads * load;
+      return result;
+    };
+    NodalVector w = problem.make_vector();
+    problem.to_jumps(w, state.displacement);
+    return {values_of(w, problem.load(state.time)),
+            values_of(velocities_of_faults(state),
+                      load_rate(state.time, state.last_step))};
   }
 
 
