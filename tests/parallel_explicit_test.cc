@@ -32,7 +32,7 @@ namespace
     const TemporaryFolder folder;
     Simulation<2, 1>      simulation(
       SceneReader(folder.write("scene.prm", antiplane_bodies),
-                  {"Time/Step size control=Runge-Kutta"})
+                  {"Time/Step size control=Runge-Kutta", "Time/End time=3"})
         .read<2>(),
       communicator);
     simulation.set_up();
