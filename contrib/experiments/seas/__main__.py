@@ -56,6 +56,8 @@ BENCHMARKS = {
                               (177.22, 277.53, 334.53, 421.54, 514.05, 611.52, 674.79)),
     "bp3_normal60": Benchmark(PLANE, 50., 15, 2. / math.sqrt(3.)),
     "bp3_thrust30": Benchmark(PLANE, 50., 15, 2.),
+    "bp3_normal30": Benchmark(PLANE, 50., 15, 2.,
+                              (206.84, 279.40, 392.23, 465.71, 576.42, 650.34)),
     "bp5": Benchmark(("minus", "plus"), 2000., 7),
 }
 
