@@ -24,7 +24,7 @@ namespace
 
 
 
-  /** When the largest slip rate grows past twice that of the driven side,
+  /** Times at which the largest slip rate passes twice that of the driven side,
    * s. */
   std::vector<double>
   event_times(const MPI_Comm communicator)

@@ -93,7 +93,7 @@ namespace StickSlip
       Forces              forces;
     };
 
-    /** What a functional of bodies in equilibrium is of their known entries, as
+    /** A functional of bodies in equilibrium: what it is of known entries, as
      * those on faults, and the displacement by which it depends on loads: with
      * z_I = K_II^-1 e_I for the functional e,
      *
