@@ -204,6 +204,29 @@ TEST(MeshCounts, HierarchiesEndAtTheCoarseMesh)
 
 
 
+TEST(MeshCounts, BodiesWithFewRefinementsWaitForTheirNeighbours)
+{
+  // Faces of 0.5 m at first, 16 times and twice refined: a level each for those
+  // of the finer body, and none on which they are a quarter of the others'.
+  const MeshHierarchy<2> meshes(stack<2>({make_body<2>(1., {{10, 2}}, 4),
+                                          make_body<2>(1., {{10, 2}}, 1)}),
+                                MPI_COMM_WORLD);
+  ASSERT_EQ(meshes.n_levels(), 5u);
+  for (unsigned int l = 0; l < 5; ++l)
+    {
+      EXPECT_EQ(meshes.level(l).bodies[0]->triangulation().n_levels(), l + 1);
+      EXPECT_EQ(meshes.level(l).bodies[1]->triangulation().n_levels(),
+                l == 0 ? 1u : 2u);
+    }
+  // A body that is twice as fine makes nobody wait.
+  const MeshHierarchy<2> alike(stack<2>({make_body<2>(1., {{10, 2}}, 4),
+                                         make_body<2>(1., {{10, 2}}, 3)}),
+                               MPI_COMM_WORLD);
+  EXPECT_EQ(alike.level(3).bodies[1]->triangulation().n_levels(), 3u);
+}
+
+
+
 TEST(MeshCounts, UniformRefinementsAreLevelsToo)
 {
   for (const auto &bodies : uniformly_refined_scenes<2>())

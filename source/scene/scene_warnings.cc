@@ -15,7 +15,8 @@ namespace StickSlip
 {
   namespace
   {
-    // Aspect ratios from which on doc/hard_cases.md has many iterations.
+    // Aspect ratios from which on there are many iterations in space; in the
+    // plane there are none.
     constexpr double largest_aspect_ratio = 10.;
 
     constexpr double nearly_incompressible = 0.45;
@@ -242,7 +243,7 @@ namespace StickSlip
                    const MeshEstimate         &meshes,
                    std::vector<std::string>   &warnings)
     {
-      if (meshes.aspect_ratio > largest_aspect_ratio)
+      if (dim == 3 && meshes.aspect_ratio > largest_aspect_ratio)
         warnings.push_back(
           "'" + scene.bodies[meshes.stretched_body].section() +
           "': cells are up to " + rounded_count(meshes.aspect_ratio) +
