@@ -8,13 +8,16 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/libraries.h>
 #include <stickslip/base/machine_memory.h>
+#include <stickslip/mesh/refined_cells.h>
 #include <stickslip/scene/command_line.h>
+#include <stickslip/scene/members_of.h>
 #include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/mesh_report.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/scene/scene_writer.h>
 #include <stickslip/scene/version_report.h>
 #include <stickslip/simulation/checkpoints.h>
+#include <stickslip/simulation/mesh_adaptation.h>
 #include <stickslip/simulation/output_folder.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/start_report.h>
@@ -43,6 +46,32 @@ namespace
       return message;
     return message.substr(0, longest - end) + " ... " +
            message.substr(message.size() - end);
+  }
+
+
+
+  /** Find the cells that have to be refined, if the scene asks for that. */
+  template <int dim>
+  void
+  choose_meshes(SceneParameters<dim> &scene, const bool may_print)
+  {
+    std::ostream silent(nullptr);
+    if (scene.mesh_accuracy.is_wanted())
+      adapt_meshes(scene, machine_memory(), may_print ? std::cout : silent);
+  }
+
+
+
+  /** Take the cells that the run has refined which is to go on. */
+  template <int dim>
+  void
+  take_meshes_of_run(SceneParameters<dim> &scene)
+  {
+    if (scene.mesh_accuracy.is_wanted())
+      scene.mesh_accuracy.refined_cells =
+        read_refined_cells(scene.output.directory + "/" +
+                             MeshAccuracy::file_of_run,
+                           names_of(scene.bodies));
   }
 
 
@@ -80,6 +109,8 @@ namespace
     });
     std::string checkpoint;
     if (command_line.restart)
+      carry_out_agreed(MPI_COMM_WORLD, [&]() { take_meshes_of_run(scene); });
+    if (command_line.restart)
       checkpoint = find_checkpoint(scene, MPI_COMM_WORLD);
     std::unique_ptr<OutputFolder> folder;
     carry_out_agreed(MPI_COMM_WORLD, [&]() {
@@ -92,6 +123,8 @@ namespace
                                                      EarlierResults::overwrite :
                                                      EarlierResults::refuse);
     });
+    carry_out_agreed(MPI_COMM_WORLD,
+                     [&]() { choose_meshes(scene, is_first_process); });
     // Input that is refused on a coarser mesh is left to the run, which may
     // take it, and says why if not.
     carry_out_agreed(MPI_COMM_WORLD, [&]() {
@@ -121,13 +154,14 @@ namespace
   check(const SceneReader &reader, const bool is_first_process)
   {
     carry_out_agreed(MPI_COMM_WORLD, [&]() {
-      const auto scene = reader.read<dim>();
+      auto scene = reader.read<dim>();
       if (!is_first_process)
         return;
       refuse_too_large_meshes(scene,
                               dealii::Utilities::MPI::n_mpi_processes(
                                 MPI_COMM_WORLD),
                               machine_memory());
+      choose_meshes(scene, true);
       const std::string refusal =
         report_start(scene,
                      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),

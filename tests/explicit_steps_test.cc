@@ -219,6 +219,68 @@ TEST(ExplicitSteps, SmallTolerancesAgreeAfterEvents)
 
 
 
+// The account of the energy looks at bodies after every step.
+TEST(ExplicitSteps, BodiesFollowForThoseWhoLook)
+{
+  const auto end = [](const std::string &energy) {
+    auto simulation = std::make_unique<Simulation<2>>(
+      read_scene(creeping_bodies,
+                 without_viscosity +
+                   Settings{explicit_steps,
+                            "Faults/fault/Normal stress follows=true",
+                            "Faults/fault/Regions/Names=part",
+                            "Faults/fault/Regions/part/Where=x - 0.3",
+                            "Faults/fault/Regions/part/"
+                            "Friction=prescribed slip rate",
+                            "Faults/fault/Regions/part/Slip rate along x=5e-4",
+                            "Output/Energy balance=" + energy}),
+      MPI_COMM_WORLD);
+    simulation->set_up();
+    while (!simulation->is_finished())
+      simulation->advance();
+    return simulation;
+  };
+  const auto            looked_at = end("true"), alone = end("false");
+  const SystemState<2> &state = alone->state(), &expected = looked_at->state();
+  EXPECT_TRUE(expected.is_complete);
+  EXPECT_FALSE(state.is_complete);
+  for (unsigned int k = 0; k < state.slip.size(); ++k)
+    {
+      EXPECT_EQ(state.slip[k], expected.slip[k]);
+      EXPECT_EQ(state.alpha[k], expected.alpha[k]);
+      EXPECT_EQ(state.contact_pressure[k], expected.contact_pressure[k]);
+      EXPECT_EQ(state.balancing_traction[k], expected.balancing_traction[k]);
+    }
+
+  const auto difference = [](NodalVector a, const NodalVector &b) {
+    a -= b;
+    return a.linfty_norm() / b.linfty_norm();
+  };
+  EXPECT_GT(difference(state.displacement, expected.displacement), 1e-3);
+  alone->complete_state();
+  EXPECT_LT(difference(state.displacement, expected.displacement), 1e-11);
+  EXPECT_LT(difference(state.velocity, expected.velocity), 1e-11);
+
+  // Bodies in equilibrium have the forces that the steps have carried.
+  SpatialProblem<2> &problem = alone->spatial_problem();
+  NodalVector        u = problem.make_vector(), forces = u;
+  problem.to_jumps(u, state.displacement);
+  problem.term(SpatialProblem<2>::stiffness)
+    .residual(forces, problem.load(state.time), u);
+  const auto in_bodies = alone->fault_nodes().tangential_jumps(forces);
+  double     largest = 0., error = 0.;
+  for (unsigned int k = 0; k < state.slip.size(); ++k)
+    {
+      largest = std::max(largest, std::abs(in_bodies[k][0]));
+      error =
+        std::max(error, std::abs(in_bodies[k][0] - state.fault_force[k][0]));
+    }
+  EXPECT_GT(largest, 0.);
+  EXPECT_LT(error, 1e-9 * largest);
+}
+
+
+
 // The local error is of sixth order, its estimate of fifth.
 TEST(ExplicitSteps, AreOfFifthOrder)
 {

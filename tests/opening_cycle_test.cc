@@ -5,8 +5,10 @@
 
 #include <iostream>
 
+#include "falling_block.h"
 #include "linear_iterations.h"
 #include "opening_layers.h"
+#include "pressed_sphere.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -54,6 +56,21 @@ namespace
 
 
 
+  /** Smoothing sweeps of a scene that does not say how many. */
+  template <int dim>
+  unsigned int
+  default_sweeps(const bool may_open)
+  {
+    const std::string contact = may_open ? "unilateral" : "bilateral";
+    return static_cast<unsigned int>(
+      read_opening_scene<dim>(dim == 2 ? falling_block : pressed_sphere,
+                              {"Faults/contact/Contact=" + contact,
+                               "Faults/contact/Initial gap=0"})
+        .tnnmg.smoothing_sweeps);
+  }
+
+
+
   /** The factor by which the error shrinks in a V-cycle in the end, in the
    * energy norm: mean of the last ten of thirty. */
   template <int dim>
@@ -85,8 +102,7 @@ namespace
   {
     OpeningLayers<dim>   layers(bodies, true);
     LevelHierarchy<dim> &hierarchy = layers.problem.hierarchy();
-    // Sweeps of scenes whose faults may open.
-    hierarchy.set_smoothing_sweeps(2);
+    hierarchy.set_smoothing_sweeps(default_sweeps<dim>(true));
     layers.problem.combine(Newmark<dim>().operator_coefficients(1e-2));
     std::cout << name << ':';
     for (const CyclePrecision precision :
@@ -200,6 +216,16 @@ TEST(OpeningCycle, CoarseNormalsAreDroppedWhereAllFineOnesAre)
                                  make_body<3>(1., {{4, 4, 1}}, 2)},
                                 opens_in_part);
     }
+}
+
+
+
+TEST(OpeningCycle, HasTwoSweepsWhereAFaultMayOpen)
+{
+  EXPECT_EQ(default_sweeps<2>(true), 2u);
+  EXPECT_EQ(default_sweeps<2>(false), 1u);
+  EXPECT_EQ(default_sweeps<3>(true), 2u);
+  EXPECT_EQ(default_sweeps<3>(false), 1u);
 }
 
 

@@ -25,6 +25,8 @@ namespace
     double begin = 0., end = 0., largest_gap = 0.;
     /** Mean slip at both ends. */
     double slip_at_begin = 0., slip_at_end = 0.;
+    /** Energy missing in the balance at both ends, J/m. */
+    double missing_at_begin = 0., missing_at_end = 0.;
   };
 
 
@@ -85,11 +87,16 @@ namespace
             flies                = true;
             flight.begin         = state.time;
             flight.slip_at_begin = mean_slip(simulation);
+            flight.missing_at_begin =
+              simulation.energy_balance()->defect(state);
           }
         if (!all)
           flight.end = state.time;
         else
-          flight.slip_at_end = mean_slip(simulation);
+          {
+            flight.slip_at_end    = mean_slip(simulation);
+            flight.missing_at_end = simulation.energy_balance()->defect(state);
+          }
       }
     return flight;
   }
@@ -119,6 +126,10 @@ TEST(OpeningLanding, FarFromWhereItWasThrown)
               0.05 * v_x);
   // Several faces further on, and brought to rest by friction.
   EXPECT_GT(simulation.counts().contact_mappings, 3u);
+  // New partners change nothing in the velocities of sides that are apart.
+  EXPECT_NEAR(flight.missing_at_end,
+              flight.missing_at_begin,
+              1e-9 * simulation.energy_balance()->work().largest());
   const double landed = flight.slip_at_end;
   EXPECT_GT(landed, 0.4);
   while (!simulation.is_finished())

@@ -46,6 +46,7 @@ namespace StickSlip::Tests
       "Time/Step size control=constant",
       "Time/Initial step=2e-3",
       "Time/Largest step=2e-3",
+      "Output/Energy balance=true",
       "TNNMG/Tolerance=1e-9",
       "Time/Rate-state tolerance=1e-7"};
     for (const auto &entries : {push("top", "y", (a_y + 9.81) * mass_of_area),

@@ -20,6 +20,19 @@ extern "C"
          const int    *stride_of_y);
 
   void
+  dgemv_(const char   *transposition,
+         const int    *m,
+         const int    *n,
+         const double *alpha,
+         const double *A,
+         const int    *stride_of_A,
+         const double *x,
+         const int    *stride_of_x,
+         const double *beta,
+         double       *y,
+         const int    *stride_of_y);
+
+  void
   daxpy_(const int    *n,
          const double *alpha,
          const double *x,
@@ -53,6 +66,33 @@ namespace StickSlip
 
     // Fortran counts columns first: the upper triangle is its lower one.
     constexpr char triangle = 'L';
+
+
+
+    /** y = factor A x, for rows that begin @p stride numbers after each other.
+     */
+    void
+    symmetric_product(std::vector<double>       &y,
+                      const double               factor,
+                      const double              *A,
+                      const std::size_t          stride,
+                      const std::vector<double> &x)
+    {
+      const int        n = x.size(), distance = stride;
+      constexpr double zero = 0.;
+      y.assign(n, 0.);
+      if (n > 0)
+        dsymv_(&triangle,
+               &n,
+               &factor,
+               A,
+               &distance,
+               x.data(),
+               &one,
+               &zero,
+               y.data(),
+               &one);
+    }
   } // namespace
 
 
@@ -63,16 +103,40 @@ namespace StickSlip
                      const std::vector<double> &A,
                      const std::vector<double> &x)
   {
-    const int        n    = x.size();
-    constexpr double zero = 0.;
     AssertDimension(A.size(), x.size() * x.size());
-    y.assign(n, 0.);
-    if (n > 0)
-      dsymv_(&triangle,
-             &n,
+    symmetric_product(y, factor, A.data(), x.size(), x);
+  }
+
+
+
+  void
+  multiply_symmetric_part(std::vector<double>       &y,
+                          const double              *A,
+                          const std::size_t          stride,
+                          const std::vector<double> &x)
+  {
+    symmetric_product(y, 1., A, stride, x);
+  }
+
+
+
+  void
+  multiply_rows(std::vector<double>       &y,
+                const unsigned int         n_rows,
+                const double              *A,
+                const std::size_t          stride,
+                const std::vector<double> &x)
+  {
+    const int        rows = n_rows, columns = x.size(), distance = stride;
+    constexpr double factor = 1., zero = 0.;
+    y.assign(n_rows, 0.);
+    if (rows > 0 && columns > 0)
+      dgemv_("T",
+             &columns,
+             &rows,
              &factor,
-             A.data(),
-             &n,
+             A,
+             &distance,
              x.data(),
              &one,
              &zero,

@@ -9,6 +9,7 @@
 #include <stickslip/algebra/mumps_factorisation.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace StickSlip
 {
@@ -25,27 +26,59 @@ namespace StickSlip
       solve      = 3
     };
 
-    DMUMPS_STRUC_C   mumps;
-    std::vector<int> retained;
+    DMUMPS_STRUC_C mumps;
+    /** Numbers from one on, and their positions on this process. */
+    std::vector<int>          retained;
+    std::vector<unsigned int> retained_here;
+    /** Of all processes; null if one has all. */
+    std::unique_ptr<const NodePartition> nodes;
+    /** Numbers of entries of each process, and of those before. */
+    std::vector<int> n_entries, first_entry;
     /** Whose sparsity the arrays have; kept alive, so that its address stays
      * its own. */
     std::shared_ptr<const BlockSparsity> source;
     std::vector<int>                     row, column;
     std::vector<double>                  value, schur;
 
-    explicit Implementation(const std::vector<unsigned int> &retained_entries)
+    Implementation(const std::vector<types::global_dof_index> &retained_entries,
+                   const NodePartition                        *all_nodes)
     {
-      for (const unsigned int entry : retained_entries)
-        retained.push_back(entry + 1);
-      schur.resize(retained.size() * retained.size());
-      mumps.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
-      mumps.par          = 1;
+      if (all_nodes != nullptr &&
+          Utilities::MPI::n_mpi_processes(all_nodes->communicator()) > 1)
+        {
+          nodes = std::make_unique<NodePartition>(*all_nodes);
+          n_entries =
+            Utilities::MPI::all_gather(nodes->communicator(),
+                                       int(nodes->n_owned() * n_components));
+          first_entry.assign(n_entries.size(), 0);
+          std::partial_sum(n_entries.begin(),
+                           n_entries.end() - 1,
+                           first_entry.begin() + 1);
+        }
+      for (const types::global_dof_index entry : retained_entries)
+        {
+          retained.push_back(entry + 1);
+          if (!nodes)
+            retained_here.push_back(entry);
+          else if (nodes->owned().is_element(entry / n_components))
+            retained_here.push_back(nodes->local_index(entry / n_components) *
+                                      n_components +
+                                    entry % n_components);
+        }
+      if (is_first())
+        schur.resize(retained.size() * retained.size());
+      mumps.comm_fortran =
+        MPI_Comm_c2f(nodes ? nodes->communicator() : MPI_COMM_SELF);
+      mumps.par = 1;
       // Positive definite.
       mumps.sym = 1;
       run(initialise);
       // No messages.
       for (const unsigned int k : {1, 2, 3, 4})
         control(k) = 0;
+      if (nodes)
+        // Each process has a part of the matrix.
+        control(18) = 3;
       if (!retained.empty())
         {
           // The Schur complement as one dense matrix.
@@ -59,6 +92,15 @@ namespace StickSlip
     ~Implementation()
     {
       run(terminate);
+    }
+
+    /** True on the process that has right hand sides and the Schur complement.
+     */
+    bool
+    is_first() const
+    {
+      return !nodes ||
+             Utilities::MPI::this_mpi_process(nodes->communicator()) == 0;
     }
 
     /** The control parameters as numbered in the manual of MUMPS. */
@@ -91,8 +133,13 @@ namespace StickSlip
           for (unsigned int c = 0; c < n_components; ++c)
             for (unsigned int d = 0; d < n_components; ++d)
               {
-                const unsigned int I = i * n_components + c,
-                                   J = source->column[k] * n_components + d;
+                const types::global_dof_index I =
+                                                global_node(i) * n_components +
+                                                c,
+                                              J =
+                                                global_node(source->column[k]) *
+                                                  n_components +
+                                                d;
                 if (J <= I)
                   {
                     row.push_back(I + 1);
@@ -100,11 +147,17 @@ namespace StickSlip
                   }
               }
       value.resize(row.size());
-      mumps.n   = source->n_rows() * n_components;
-      mumps.nnz = value.size();
-      mumps.irn = row.data();
-      mumps.jcn = column.data();
-      mumps.a   = value.data();
+      mumps.n   = (nodes ? nodes->n_global() : source->n_rows()) * n_components;
+      mumps.nnz = mumps.nnz_loc = value.size();
+      mumps.irn = mumps.irn_loc = row.data();
+      mumps.jcn = mumps.jcn_loc = column.data();
+      mumps.a = mumps.a_loc = value.data();
+    }
+
+    types::global_dof_index
+    global_node(const unsigned int node) const
+    {
+      return nodes ? nodes->global_index(node) : node;
     }
 
     void
@@ -117,7 +170,8 @@ namespace StickSlip
              ++k)
           for (unsigned int c = 0; c < n_components; ++c)
             for (unsigned int d = 0; d < n_components; ++d)
-              if (source->column[k] * n_components + d <= i * n_components + c)
+              if (global_node(source->column[k]) * n_components + d <=
+                  global_node(i) * n_components + c)
                 *entry++ = masked_entry(matrix, mask, i, k, c, d);
     }
   };
@@ -127,7 +181,18 @@ namespace StickSlip
   template <int n_components>
   MumpsFactorisation<n_components>::MumpsFactorisation(
     const std::vector<unsigned int> &retained)
-    : implementation(std::make_unique<Implementation>(retained))
+    : implementation(std::make_unique<Implementation>(
+        std::vector<types::global_dof_index>(retained.begin(), retained.end()),
+        nullptr))
+  {}
+
+
+
+  template <int n_components>
+  MumpsFactorisation<n_components>::MumpsFactorisation(
+    const NodePartition                        &nodes,
+    const std::vector<types::global_dof_index> &retained)
+    : implementation(std::make_unique<Implementation>(retained, &nodes))
   {}
 
 
@@ -181,7 +246,9 @@ namespace StickSlip
                            std::to_string(error) + "."));
 
     // MUMPS gives one triangle, row by row.
-    const unsigned int n = data.retained.size();
+    if (!data.is_first())
+      return;
+    const std::size_t n = data.retained.size();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = i + 1; j < n; ++j)
         data.schur[i * n + j] = data.schur[j * n + i];
@@ -193,17 +260,31 @@ namespace StickSlip
   void
   MumpsFactorisation<n_components>::solve(NodalVector &x, const NodalVector &b)
   {
-    Implementation &data = *implementation;
-    std::copy_n(b.begin(), data.mumps.n, x.begin());
+    Implementation     &data = *implementation;
+    std::vector<double> all;
+    if (data.nodes)
+      all = gather_on_first(b);
+    else
+      std::copy_n(b.begin(), data.mumps.n, x.begin());
     data.mumps.nrhs = 1;
     data.mumps.lrhs = data.mumps.n;
-    data.mumps.rhs  = x.begin();
+    data.mumps.rhs  = data.nodes ? all.data() : x.begin();
     const int error = data.run(Implementation::solve);
+    if (data.nodes)
+      MPI_Scatterv(all.data(),
+                   data.n_entries.data(),
+                   data.first_entry.data(),
+                   MPI_DOUBLE,
+                   x.begin(),
+                   x.locally_owned_size(),
+                   MPI_DOUBLE,
+                   0,
+                   data.nodes->communicator());
     AssertThrow(error >= 0,
                 ExcMessage("The factors of MUMPS are of no use: error " +
                            std::to_string(error) + "."));
-    for (const int entry : data.retained)
-      x.local_element(entry - 1) = 0.;
+    for (const unsigned int entry : data.retained_here)
+      x.local_element(entry) = 0.;
   }
 
 
@@ -213,6 +294,15 @@ namespace StickSlip
   MumpsFactorisation<n_components>::schur_complement() const
   {
     return implementation->schur;
+  }
+
+
+
+  template <int n_components>
+  std::vector<double>
+  MumpsFactorisation<n_components>::take_schur_complement()
+  {
+    return std::move(implementation->schur);
   }
 
 

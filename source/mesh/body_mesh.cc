@@ -10,6 +10,7 @@
 #include <stickslip/geometry/face_area.h>
 #include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/refined_cells.h>
 
 #include <algorithm>
 #include <map>
@@ -170,6 +171,7 @@ namespace StickSlip
                     body.refine_where,
                     body.refinement_rows,
                     *refined);
+        refine_listed(body.refined_cells, *refined);
       }
     if (has_shapes(*refined))
       {

@@ -288,6 +288,13 @@ namespace StickSlip
         IndexSet wanted = levels[l].nodes.owned();
         wanted.add_indices(levels[l].nodes.nodes()->ghost_indices());
         wanted.add_indices(levels[l].strip());
+        // Every process has the hanging nodes of all faults.
+        for (unsigned int f = 0; f < topology.faults().size(); ++f)
+          for (const unsigned int side : {0, 1})
+            {
+              const auto &nodes = levels[l].surface(f, side).nodes;
+              wanted.add_indices(nodes.begin(), nodes.end());
+            }
         if (l > 0)
           wanted.add_indices(prolongations.back().columns(levels[l].n_nodes()));
         // Coarser cells that are not nested couple nodes farther away; they are

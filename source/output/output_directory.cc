@@ -68,6 +68,7 @@ namespace StickSlip
                                                   "solution.pvd",
                                                   "faults.pvd",
                                                   "parameters.prm",
+                                                  "refined_cells.txt",
                                                   "summary.txt",
                                                   "checkpoints",
                                                   "stations",

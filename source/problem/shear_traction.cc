@@ -65,25 +65,34 @@ namespace StickSlip
 
 
 
-  template <int dim, int n_components>
-  std::vector<Tensor<1, dim - 1>>
-  balancing_tractions(const FaultNodes<dim>           &faults,
-                      const NodeLaws                  &laws,
-                      const SystemState<dim>          &state,
-                      const BlockMatrix<n_components> &A,
-                      const NodalVector               &b,
-                      const NodalVector               &w)
+  namespace
   {
-    // Every process has all nodes.
-    bool is_needed = false;
-    for (unsigned int k = 0; k < faults.size(); ++k)
-      is_needed = is_needed || is_balancing(faults, laws, state, k);
-    if (!is_needed)
-      return {};
+    /** Answers are the same on all processes, which have all nodes. */
+    template <int dim>
+    bool
+    is_any_balancing(const FaultNodes<dim>  &faults,
+                     const NodeLaws         &laws,
+                     const SystemState<dim> &state)
+    {
+      for (unsigned int k = 0; k < faults.size(); ++k)
+        if (is_balancing(faults, laws, state, k))
+          return true;
+      return false;
+    }
+  } // namespace
 
-    NodalVector forces = b;
-    A.residual(forces, b, w);
-    std::vector<Tensor<1, dim - 1>> result = faults.tangential_jumps(forces);
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  balancing_tractions(const FaultNodes<dim>                 &faults,
+                      const NodeLaws                        &laws,
+                      const SystemState<dim>                &state,
+                      const std::vector<Tensor<1, dim - 1>> &forces)
+  {
+    if (!is_any_balancing(faults, laws, state))
+      return {};
+    std::vector<Tensor<1, dim - 1>> result = forces;
     for (unsigned int k = 0; k < faults.size(); ++k)
       result[k] = is_balancing(faults, laws, state, k) ?
                     result[k] / faults.weights()[k] :
@@ -93,11 +102,52 @@ namespace StickSlip
 
 
 
-  template decltype(directed_friction<2>)      directed_friction<2>;
-  template decltype(directed_friction<3>)      directed_friction<3>;
-  template decltype(shear_traction<2>)         shear_traction<2>;
-  template decltype(shear_traction<3>)         shear_traction<3>;
-  template decltype(balancing_tractions<2>)    balancing_tractions<2>;
-  template decltype(balancing_tractions<3>)    balancing_tractions<3>;
-  template decltype(balancing_tractions<2, 1>) balancing_tractions<2, 1>;
+  template <int dim, int n_components>
+  std::vector<Tensor<1, dim - 1>>
+  balancing_tractions(const FaultNodes<dim>           &faults,
+                      const NodeLaws                  &laws,
+                      const SystemState<dim>          &state,
+                      const BlockMatrix<n_components> &A,
+                      const NodalVector               &b,
+                      const NodalVector               &w)
+  {
+    if (!is_any_balancing(faults, laws, state))
+      return {};
+    NodalVector forces = b;
+    A.residual(forces, b, w);
+    return balancing_tractions(faults,
+                               laws,
+                               state,
+                               faults.tangential_jumps(forces));
+  }
+
+
+
+  template decltype(directed_friction<2>) directed_friction<2>;
+  template decltype(directed_friction<3>) directed_friction<3>;
+  template decltype(shear_traction<2>)    shear_traction<2>;
+  template decltype(shear_traction<3>)    shear_traction<3>;
+#define STICKSLIP_INSTANTIATE(dim, n_components)                \
+  template std::vector<Tensor<1, dim - 1>> balancing_tractions( \
+    const FaultNodes<dim> &,                                    \
+    const NodeLaws &,                                           \
+    const SystemState<dim> &,                                   \
+    const BlockMatrix<n_components> &,                          \
+    const NodalVector &,                                        \
+    const NodalVector &);
+
+  STICKSLIP_INSTANTIATE(2, 2)
+  STICKSLIP_INSTANTIATE(3, 3)
+  STICKSLIP_INSTANTIATE(2, 1)
+
+  template std::vector<Tensor<1, 1>>
+  balancing_tractions(const FaultNodes<2> &,
+                      const NodeLaws &,
+                      const SystemState<2> &,
+                      const std::vector<Tensor<1, 1>> &);
+  template std::vector<Tensor<1, 2>>
+  balancing_tractions(const FaultNodes<3> &,
+                      const NodeLaws &,
+                      const SystemState<3> &,
+                      const std::vector<Tensor<1, 2>> &);
 } // namespace StickSlip

@@ -120,7 +120,7 @@ namespace StickSlip
       {
         result[k] /= path.n_times;
         if (may_open(k))
-          result[k] = touching[k] ? result[k] - prestress(from, k) : -offset[k];
+          result[k] = (touching[k] ? result[k] : 0.) - prestress(from, k);
       }
     return result;
   }
@@ -180,15 +180,11 @@ namespace StickSlip
         {
           const double growth =
             faults->weights()[k] * (to.gap[k] - from.gap[k]);
-          // A bond pulls until the end of the step in which it breaks.
-          const double bond = (from.is_bonded[k] && to.gap[k] > 0.) ?
-                                nodes[k].tensile_strength :
-                                0.;
           const double mean =
             path.n_times > 1. ?
               to.contact_pressure[k] :
               0.5 * (to.contact_pressure[k] + from.contact_pressure[k]);
-          result.lost -= (mean + offset[k] - bond) * growth;
+          result.lost -= (mean + offset[k]) * growth;
           result.of_offset -= offset[k] * growth;
         }
     return result;

@@ -5,6 +5,7 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/geometry/face_area.h>
+#include <stickslip/mesh/body_mesh.h>
 #include <stickslip/scene/mesh_estimate.h>
 
 #include <algorithm>
@@ -184,15 +185,15 @@ namespace StickSlip
 
     template <int dim>
     CoarseCount<dim>
-    count_coarse(const CoarseBody<dim> &body,
-                 const FaultTopology   &topology,
-                 const unsigned int     number)
+    count_cells(const Triangulation<dim> &mesh,
+                const CoarseBody<dim>    &body,
+                const FaultTopology      &topology,
+                const unsigned int        number)
     {
-      CoarseCount<dim>          count;
-      const Triangulation<dim> &mesh = *body.cells;
-      count.cells                    = mesh.n_active_cells();
-      count.nodes                    = mesh.n_used_vertices();
-      count.is_simplex               = mesh.all_reference_cells_are_simplex();
+      CoarseCount<dim> count;
+      count.cells      = mesh.n_active_cells();
+      count.nodes      = mesh.n_used_vertices();
+      count.is_simplex = mesh.all_reference_cells_are_simplex();
       std::set<unsigned int> refined_vertices;
       for (const auto &cell : mesh.active_cell_iterators())
         {
@@ -358,27 +359,40 @@ namespace StickSlip
     std::vector<CoarseCount<dim>> counts(scene.bodies.size());
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
-        const BodyGeometry<dim> &geometry = scene.bodies[b].geometry;
+        const BodyGeometry<dim> &geometry      = scene.bodies[b].geometry;
+        unsigned int             n_refinements = geometry.uniform_refinements;
         if (bodies.empty())
           counts[b].cells = counts[b].nodes = given_cells(scene, b);
-        else
-          counts[b] = count_coarse(bodies[b], scene.topology, b);
+        else if (bodies[b].refined_cells.empty())
+          counts[b] =
+            count_cells(*bodies[b].cells, bodies[b], scene.topology, b);
         if (geometry.rigid)
           continue;
-        refine<dim>(counts[b],
-                    bodies.empty() ?
-                      std::function<double(const Point<dim> &)>() :
-                      bodies[b].refine_where,
-                    geometry.uniform_refinements,
-                    geometry.refinement_passes,
-                    geometry.refinement_rows);
+        if (!bodies.empty() && !bodies[b].refined_cells.empty())
+          {
+            const BodyMesh<dim> mesh(bodies[b],
+                                     scene.topology.sides_at_faults(b));
+            counts[b] =
+              count_cells(mesh.triangulation(), bodies[b], scene.topology, b);
+            n_refinements = mesh.triangulation().n_levels() - 1;
+          }
+        else
+          {
+            refine<dim>(counts[b],
+                        bodies.empty() ?
+                          std::function<double(const Point<dim> &)>() :
+                          bodies[b].refine_where,
+                        geometry.uniform_refinements,
+                        geometry.refinement_passes,
+                        geometry.refinement_rows);
+            if (counts[b].at_faults > 0.)
+              n_refinements += geometry.refinement_passes;
+          }
         estimate.cells += counts[b].cells;
         estimate.nodes += counts[b].nodes;
         estimate.levels =
           std::max(estimate.levels,
-                   1 + geometry.uniform_refinements +
-                     (counts[b].at_faults > 0. ? geometry.refinement_passes :
-                                                 0) +
+                   1 + n_refinements +
                      static_cast<unsigned int>(scene.coarser_meshes.size()));
         if (counts[b].aspect_ratio > estimate.aspect_ratio)
           {

@@ -221,14 +221,35 @@ namespace StickSlip
     void
     check_refinement(const SceneParameters<3> &scene)
     {
+      const MeshAccuracy &wanted = scene.mesh_accuracy;
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-        if (scene.mesh->bodies[b].cells[0].vertices.size() == 4 &&
-            scene.bodies[b].geometry.refinement_passes > 0)
+        if (scene.mesh->bodies[b].cells[0].vertices.size() != 4)
+          continue;
+        else if (wanted.relative_error > 0. || !wanted.refined_cells.empty())
+          throw InputError(naming("Mesh/Accuracy", wanted.relative_error) +
+                           ": must be 0, and no refined cells be given, since "
+                           "tetrahedra are refined all over only.");
+        else if (scene.bodies[b].geometry.refinement_passes > 0)
           throw InputError(
             naming("Bodies/" + scene.bodies[b].name + "/Refinement passes",
                    scene.bodies[b].geometry.refinement_passes) +
             ": must be 0, since tetrahedra are refined all over only; those at "
             "the faults must be small in the mesh file.");
+    }
+
+
+
+    /** Cells of periodic bodies are refined at faults only. */
+    template <int dim>
+    void
+    check_periodic_accuracy(const SceneParameters<dim> &scene)
+    {
+      const double wanted = scene.mesh_accuracy.relative_error;
+      if (wanted > 0. &&
+          std::count(scene.periodic.begin(), scene.periodic.end(), true) > 0)
+        throw InputError(naming("Mesh/Accuracy", wanted) +
+                         ": must be 0 where bodies are periodic; 'Refinement "
+                         "passes' refine them at the faults.");
     }
 
 
@@ -536,7 +557,10 @@ namespace StickSlip
   check_scene(const SceneParameters<dim> &scene)
   {
     if (scene.mesh == nullptr)
-      check_bodies(scene);
+      {
+        check_bodies(scene);
+        check_periodic_accuracy(scene);
+      }
     else
       {
         check_rigid_bodies(scene);
@@ -580,9 +604,6 @@ namespace StickSlip
       return;
     const std::string ending = ": runs on one process only, but there are " +
                                std::to_string(n_processes) + ".";
-    if (scene.time.control == StepSizeControl::runge_kutta)
-      throw InputError(naming("Time/Step size control", "Runge-Kutta") +
-                       ending);
     if (scene.time.rate_solver == RateSolver::condensed_newton)
       throw InputError(naming("Time/Rate solver", "condensed Newton") + ending);
     const std::map<LinearCorrectionType, std::string> names = {

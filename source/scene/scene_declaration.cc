@@ -320,6 +320,7 @@ namespace StickSlip
                "say of the x axis holds for z, contact is bilateral, and the "
                "normal stress is given.");
     declare_bodies(prm, scene);
+    declare_section(prm, "Mesh", scene.mesh_accuracy);
     declare_faults(prm, scene);
     declare_boundary_conditions(prm, scene);
 

@@ -28,13 +28,32 @@ namespace StickSlip
   std::vector<CoarseBody<dim>>
   SceneParameters<dim>::coarse_bodies() const
   {
+    std::vector<CoarseBody<dim>> result =
+      mesh == nullptr ? coarse_bricks() : coarse_bodies_of_mesh();
+    for (unsigned int b = 0; b < mesh_accuracy.refined_cells.size(); ++b)
+      result[b].refined_cells = mesh_accuracy.refined_cells[b];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<CoarseBody<dim>>
+  SceneParameters<dim>::coarse_bricks() const
+  {
     std::vector<CoarseBody<dim>> result;
-    if (mesh == nullptr)
-      {
-        for (const BodyParameters<dim> &body : bodies)
-          result.push_back(coarse_brick(body.geometry));
-        return result;
-      }
+    for (const BodyParameters<dim> &body : bodies)
+      result.push_back(coarse_brick(body.geometry));
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<CoarseBody<dim>>
+  SceneParameters<dim>::coarse_bodies_of_mesh() const
+  {
+    std::vector<CoarseBody<dim>>                        result;
     std::vector<std::shared_ptr<const FaultShape<dim>>> shapes;
     for (unsigned int f = 0; f < fault_geometries.size(); ++f)
       shapes.push_back(

@@ -6,6 +6,7 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/machine_memory.h>
+#include <stickslip/mesh/refined_cells.h>
 #include <stickslip/parameters/name_list.h>
 #include <stickslip/scene/automatic_limits.h>
 #include <stickslip/scene/coarser_mesh_files.h>
@@ -316,6 +317,26 @@ namespace StickSlip
 
 
 
+  void
+  SceneReader::read_refinement(MeshAccuracy &accuracy) const
+  {
+    accuracy.refined_cells_file = with_paths("Mesh/Refined cells");
+    if (accuracy.refined_cells_file.empty())
+      return;
+    try
+      {
+        accuracy.refined_cells = read_refined_cells(accuracy.refined_cells_file,
+                                                    names("Bodies/Names", 1));
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(naming(*find("Mesh/Refined cells")) + ": " +
+                         error.what());
+      }
+  }
+
+
+
   template <int dim>
   void
   SceneReader::read_blocks(SceneParameters<dim> &scene) const
@@ -465,6 +486,11 @@ namespace StickSlip
                           empty_subsections,
                           {"Boundary conditions"});
     const MeshEntries mesh_entries = scene.mesh_entries;
+    // Meshes that the program chooses start from the coarse cells.
+    if (value_of("Mesh/Refined cells") != "" ||
+        !(value_of("Mesh/Accuracy") == "" || value_of("Mesh/Accuracy") == "0"))
+      for (BodyParameters<dim> &body : scene.bodies)
+        body.geometry.refinement_passes = 0;
     {
       ParameterHandler prm;
       declare_scene(prm, scene);
@@ -496,6 +522,7 @@ namespace StickSlip
     }
     scene.mesh_entries.files         = mesh_entries.files;
     scene.mesh_entries.coarser_files = mesh_entries.coarser_files;
+    read_refinement(scene.mesh_accuracy);
     complete_geometry(scene);
     if (scene.output.directory.empty())
       scene.output.directory = (std::filesystem::path("output") /

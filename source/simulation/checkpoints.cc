@@ -40,7 +40,8 @@ namespace StickSlip
     bool
     may_change(const std::string &entry)
     {
-      return entry == "Time/End time" ||
+      // Cells of another mesh would not fit to what is read.
+      return entry == "Time/End time" || entry == "Mesh/Refined cells" ||
              (entry.rfind("Output/", 0) == 0 &&
               entry != "Output/Write faults" &&
               entry != "Output/Fault fields" && entry != "Output/Stations");

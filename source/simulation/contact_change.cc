@@ -10,6 +10,9 @@ namespace StickSlip
 {
   namespace
   {
+    /** Rates with a new contact mapping. Sides that touch keep their slip
+     * rates, and the slave side moves accordingly; those that are apart keep
+     * their velocities, so that nothing changes their energy. */
     template <int dim, int n_components>
     void
     change_rates(NodalVector                           &velocity,
@@ -24,9 +27,10 @@ namespace StickSlip
       space.to_jumps(w, velocity);
       for (const unsigned int k : now.owned_contact())
         {
-          if (gap.empty() || gap[k] == 0.)
-            for (unsigned int c = dim - 1; c < n_components; ++c)
-              w.local_element(now.node(k) * n_components + c) = 0.;
+          if (!gap.empty() && gap[k] > 0.)
+            continue;
+          for (unsigned int c = dim - 1; c < n_components; ++c)
+            w.local_element(now.node(k) * n_components + c) = 0.;
           if (before.in_contact(k))
             for (unsigned int d = 0; d < dim - 1; ++d)
               w.local_element(now.node(k) * n_components + d) = slip_rate[k][d];

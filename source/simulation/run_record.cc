@@ -5,6 +5,8 @@
 
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/magnitude.h>
+#include <stickslip/mesh/refined_cells.h>
+#include <stickslip/output/atomic_file.h>
 #include <stickslip/output/contact_states.h>
 #include <stickslip/output/fault_surface_writer.h>
 #include <stickslip/scene/loading_rate.h>
@@ -180,7 +182,16 @@ namespace StickSlip
         surfaces.resume(earlier->surfaces);
       }
     describe_tables(faults);
-    write_parameters(scene, directory.file("parameters.prm"));
+    SceneParameters<dim> repeated = scene;
+    if (!scene.mesh_accuracy.refined_cells.empty())
+      {
+        MeshAccuracy &meshes      = repeated.mesh_accuracy;
+        meshes.refined_cells_file = MeshAccuracy::file_of_run;
+        write_file_atomically(directory.file(meshes.refined_cells_file),
+                              table_of_refined_cells(names_of(scene.bodies),
+                                                     meshes.refined_cells));
+      }
+    write_parameters(repeated, directory.file("parameters.prm"));
   }
 
 
@@ -208,11 +219,13 @@ namespace StickSlip
     const SceneParameters<dim>            &scene,
     const ContactSpace<dim, n_components> &space,
     const std::vector<FaultSnapshot<dim>> &faults,
+    const std::function<void()>           &complete_state,
     const RecordState                     *earlier)
     : scene(scene)
     , space(space)
     , communicator(space.meshes().finest().nodes.communicator())
     , stations(scene, space.meshes().finest(), space.jump_basis())
+    , complete_state(complete_state)
     , fault_cadence(scene.output.fault_cadence)
     , station_cadence(scene.output.station_cadence)
     , volume_cadence(scene.output.volume_cadence)
@@ -294,6 +307,8 @@ namespace StickSlip
     const bool                              at_stations,
     const bool                              fields)
   {
+    if (shows_bodies(at_stations, faults, fields))
+      complete_state();
     std::optional<EnergyRecord> energies;
     if (faults && energy != nullptr)
       energies = energy_record(*energy, state);
@@ -360,6 +375,19 @@ namespace StickSlip
         volume_cadence.note_written(last_step.time, last_slip_rate);
         in_fields = true;
       }
+  }
+
+
+
+  template <int dim, int n_components>
+  bool
+  RunRecord<dim, n_components>::shows_bodies(const bool at_stations,
+                                             const bool fault_history,
+                                             const bool fields) const
+  {
+    return fields || (at_stations && stations.any_in_bodies()) ||
+           (fault_history &&
+            has_field(scene.output.fault_fields, FaultField::position));
   }
 
 

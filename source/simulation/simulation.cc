@@ -331,6 +331,7 @@ namespace StickSlip
     if (energy)
       {
         TimerOutput::Scope section(timer, "Energy balance");
+        complete_step(step);
         energy->add(step);
       }
     run_state.system = std::move(step.state);
@@ -355,10 +356,35 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
+  Simulation<dim, n_components>::complete_step(StepResult<dim> &step)
+  {
+    SystemState<dim> &to = step.state;
+    if (to.is_complete)
+      return;
+    step_size_controller->complete(to);
+    to.mean_velocity = to.displacement;
+    to.mean_velocity -= state().displacement;
+    to.mean_velocity /= step.step_size;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  Simulation<dim, n_components>::complete_state()
+  {
+    step_size_controller->complete(run_state.system);
+  }
+
+
+
+  template <int dim, int n_components>
+  void
   Simulation<dim, n_components>::follow_contact()
   {
     TimerOutput::Scope section(timer, "Contact mapping");
-    SystemState<dim>  &current = run_state.system;
+    complete_state();
+    SystemState<dim> &current = run_state.system;
     ++run_state.counts.contact_mappings;
     run_state.coupled_displacement = current.displacement;
     run_state.coupled_slip         = current.slip;
@@ -384,6 +410,7 @@ namespace StickSlip
     prepare();
     note_gaps();
     change_contact(current, problem, before, faults, distances_before);
+    current.fault_force.clear();
     if (energy)
       energy->restart(current);
   }
@@ -459,7 +486,11 @@ namespace StickSlip
         snapshots[f]                 = recorded;
       }
     record = std::make_unique<RunRecord<dim, n_components>>(
-      scene, problem, snapshots, goes_on ? &run_state.record : nullptr);
+      scene,
+      problem,
+      snapshots,
+      [this]() { complete_state(); },
+      goes_on ? &run_state.record : nullptr);
     if (!goes_on)
       record->add(StepRecord(), state(), snapshots, energy.get());
   }

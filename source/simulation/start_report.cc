@@ -4,16 +4,14 @@
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/input_error.h>
-#include <stickslip/friction/common_parameters.h>
 #include <stickslip/friction/instability.h>
 #include <stickslip/parameters/name_list.h>
-#include <stickslip/problem/fault_stiffness.h>
 #include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/scene_warnings.h>
-#include <stickslip/simulation/fault_rigidity.h>
 #include <stickslip/simulation/initial_balance.h>
 #include <stickslip/simulation/simulation.h>
 #include <stickslip/simulation/start_report.h>
+#include <stickslip/simulation/weakening.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +24,13 @@ namespace StickSlip
 {
   namespace
   {
-    // Unknowns of the coarser scene: as many as this where refinement allows
-    // it, and never more than the latter.
-    constexpr double wanted_unknowns = 2000., most_unknowns = 20000.;
+    // Unknowns of the coarser scene: as many as the first where refinement
+    // allows it, and less than the second where cells can be joined.
+    constexpr double wanted_unknowns = 2000., many_unknowns = 20000.;
+
+    // Meshes with more take longer than 20 s.
+    template <int dim>
+    constexpr double most_unknowns = dim == 2 ? 400000. : 100000.;
 
 
 
@@ -44,29 +46,59 @@ namespace StickSlip
 
 
 
+    /** Make the coarse cells of all bricks twice as long; false if none can
+     * be. */
+    template <int dim>
+    bool
+    join_coarse_cells(SceneParameters<dim> &scene)
+    {
+      bool is_coarser = false;
+      for (BodyParameters<dim> &body : scene.bodies)
+        for (unsigned int &n : body.geometry.coarse_cells)
+          if (n > 2)
+            {
+              n          = (n + 1) / 2;
+              is_coarser = true;
+            }
+      return is_coarser;
+    }
+
+
+
     /** The scene with as little refinement as leaves the wanted number of
-     * unknowns; null if there are too many without any. */
+     * unknowns, on longer cells or the coarsest mesh file where there are many
+     * without any; null if there are too many still. */
     template <int dim>
     std::unique_ptr<SceneParameters<dim>>
     coarser_scene(const SceneParameters<dim> &scene)
     {
-      auto coarser = std::make_unique<SceneParameters<dim>>(scene);
-      coarser->coarser_meshes.clear();
-      const auto is_large_enough = [&](const double unknowns) {
-        return estimate_meshes(*coarser).unknowns(scene.n_components()) >=
-               unknowns;
+      auto       coarser  = std::make_unique<SceneParameters<dim>>(scene);
+      const auto unknowns = [&]() {
+        return estimate_meshes(*coarser).unknowns(scene.n_components());
       };
+      coarser->coarser_meshes.clear();
+      coarser->mesh_accuracy.refined_cells.clear();
       for (BodyParameters<dim> &body : coarser->bodies)
         body.geometry.uniform_refinements = body.geometry.refinement_passes = 0;
+      if (!scene.mesh)
+        while (unknowns() > many_unknowns && join_coarse_cells(*coarser))
+          ;
+      else if (!scene.coarser_meshes.empty() && unknowns() > many_unknowns)
+        coarser->mesh = scene.coarser_meshes.back();
+
+      // Cells that the program chooses may be refined all over.
+      const unsigned int n_chosen =
+        scene.mesh_accuracy.refined_cells.empty() ? 0 : 3;
       bool can_grow = true;
-      while (can_grow && !is_large_enough(wanted_unknowns))
+      while (can_grow && unknowns() < wanted_unknowns)
         {
           can_grow = false;
           for (unsigned int b = 0; b < scene.bodies.size(); ++b)
             {
               BodyGeometry<dim>       &geometry = coarser->bodies[b].geometry;
               const BodyGeometry<dim> &full     = scene.bodies[b].geometry;
-              if (geometry.uniform_refinements < full.uniform_refinements)
+              if (geometry.uniform_refinements <
+                  full.uniform_refinements + n_chosen)
                 ++geometry.uniform_refinements;
               else if (geometry.refinement_passes < full.refinement_passes)
                 ++geometry.refinement_passes;
@@ -75,134 +107,13 @@ namespace StickSlip
               can_grow = true;
             }
         }
-      return is_large_enough(most_unknowns) ? nullptr : std::move(coarser);
-    }
-
-
-
-    /** G* of a fault at some points, Pa: that of both bodies is their harmonic
-     * mean; a rigid one does not count. */
-    template <int dim>
-    std::vector<double>
-    shear_moduli(const SceneParameters<dim>    &scene,
-                 const unsigned int             fault,
-                 const std::vector<Point<dim>> &points)
-    {
-      const bool in_plane =
-        scene.deformation == Deformation::plane_strain && dim == 2;
-      std::vector<double> moduli =
-        sum_over_sides(scene, fault, points, [](const Material &) {
-          return 1.;
-        });
-      const std::vector<double> compliance =
-        sum_over_sides(scene, fault, points, [&](const Material &material) {
-          return (in_plane ? 1. - material.poissons_ratio : 1.) /
-                 material.shear_modulus();
-        });
-      for (unsigned int k = 0; k < points.size(); ++k)
-        moduli[k] /= compliance[k];
-      return moduli;
-    }
-
-
-
-    /** Abilities of the part of a fault with b > a. */
-    struct Weakening
-    {
-      /** One entry for each slave node of all faults. */
-      std::vector<bool> nodes;
-
-      /** Mean over its area, Pa/m, and what the bodies have against its slip,
-       * Pa/m. */
-      double critical_stiffness = 0., stiffness = 0.;
-
-      /** The least ones of all nodes, m. */
-      double nucleation_length = std::numeric_limits<double>::infinity(),
-             process_zone      = std::numeric_limits<double>::infinity();
-
-      bool
-      is_there() const
-      {
-        return std::isfinite(process_zone);
-      }
-
-      double
-      stiffness_ratio() const
-      {
-        return stiffness / critical_stiffness;
-      }
-    };
-
-
-
-    template <int dim, int n_components>
-    Weakening
-    find_weakening(const SceneParameters<dim>    &scene,
-                   Simulation<dim, n_components> &simulation,
-                   const unsigned int             f)
-    {
-      const FaultNodes<dim>         &faults = simulation.fault_nodes();
-      const unsigned int             first  = faults.first_of_fault()[f];
-      const std::vector<Point<dim>> &points = simulation.spatial_problem()
-                                                .jump_basis()
-                                                .faults()[f]
-                                                .slave_surface.points;
-      const std::vector<double> moduli = shear_moduli(scene, f, points);
-      const std::string         a = CommonParameters::direct_effect().entry,
-                        L = CommonParameters::characteristic_slip().entry,
-                        b = "b";
-      Weakening weakening;
-      weakening.nodes.resize(faults.size(), false);
-      double area = 0.;
-      for (const FaultPart &part : scene.faults[f].parts(points))
-        {
-          const auto &parameters = part.friction->kind().parameters;
-          if (!part.friction->has_state() ||
-              std::none_of(parameters.begin(),
-                           parameters.end(),
-                           [&b](const LawParameter &parameter) {
-                             return parameter.entry == b;
-                           }))
-            continue;
-          const std::vector<Point<dim>> of_part = part.select(points);
-          const auto                    values = [&](const std::string &entry) {
-            return (*part.friction)[entry].values(of_part, part.section);
-          };
-          const std::vector<double> all_a = values(a), all_b = values(b),
-                                    all_L = values(L);
-          for (unsigned int i = 0; i < of_part.size(); ++i)
-            {
-              const unsigned int      k = first + part.positions[i];
-              const WeakeningFriction friction{
-                all_a[i],
-                all_b[i],
-                simulation.state().normal_stress[k],
-                all_L[i]};
-              if (!(friction.b > friction.a) || !faults.in_contact(k) ||
-                  friction.normal_stress == 0.)
-                continue;
-              weakening.nodes[k]   = true;
-              const double weight  = faults.weights()[k],
-                           modulus = moduli[part.positions[i]];
-              area += weight;
-              weakening.critical_stiffness +=
-                weight * critical_stiffness(friction);
-              weakening.nucleation_length =
-                std::min(weakening.nucleation_length,
-                         nucleation_length(friction, modulus, dim));
-              weakening.process_zone =
-                std::min(weakening.process_zone,
-                         process_zone(friction, modulus));
-            }
-        }
-      if (weakening.is_there())
-        {
-          weakening.critical_stiffness /= area;
-          weakening.stiffness = slip_stiffness(simulation.spatial_problem(),
-                                               faults,
-                                               weakening.nodes);
-        }
-      return weakening;
+      const double n = unknowns();
+      if (n > most_unknowns<dim>)
+        return nullptr;
+      // A factorisation would take minutes.
+      if (dim == 3 && n > many_unknowns)
+        coarser->tnnmg.coarse_solver = CoarseSolverType::amg;
+      return coarser;
     }
 
 

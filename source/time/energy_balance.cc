@@ -142,7 +142,12 @@ namespace StickSlip
         0.5 * (last.viscous_force * change + end.viscous_force * change);
     work.driven_sides += driven_work(tau);
     if (has_impact)
-      set(end, to, to.velocity);
+      {
+        change = end.velocity;
+        set(end, to, to.velocity);
+        change.sadd(-1., 1., end.velocity);
+        work.driven_sides += driven_work_of_impacts(change);
+      }
     std::swap(last, end);
 
     const std::vector<double> friction_before =
@@ -242,6 +247,29 @@ namespace StickSlip
                row_product(problem.term(Problem::mass), i, c, last.velocity)) /
               tau;
           work += force * change.local_element(position);
+        }
+    return Utilities::MPI::sum(work, finest.nodes.communicator());
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EnergyBalance<dim, n_components>::driven_work_of_impacts(
+    const NodalVector &velocity_change) const
+  {
+    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
+    const BlockMatrix<n_components>      &mass =
+      problem.term(SpatialProblem<dim, n_components>::mass);
+    update_ghosts(velocity_change);
+    double work = 0.;
+    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          const double velocity =
+            end.velocity.local_element(i * n_components + c);
+          if (!finest.fixed.is_active(i, c) && velocity != 0.)
+            work += velocity * row_product(mass, i, c, velocity_change);
         }
     return Utilities::MPI::sum(work, finest.nodes.communicator());
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/faults/contact_pressure.h>
@@ -50,15 +52,24 @@ namespace StickSlip
 
 
 
-    std::vector<double>
-    between(const double               part,
-            const std::vector<double> &first,
-            const std::vector<double> &second)
+    /** values += factor * rates. */
+    void
+    add(std::vector<double>       &values,
+        const double               factor,
+        const std::vector<double> &rates)
     {
-      std::vector<double> result(first.size());
-      for (unsigned int i = 0; i < result.size(); ++i)
-        result[i] = (1. - part) * first[i] + part * second[i];
-      return result;
+      for (unsigned int k = 0; k < values.size(); ++k)
+        values[k] += factor * rates[k];
+    }
+
+
+
+    /** The sum over all processes of what each has. */
+    void
+    sum_up(std::vector<double> &values, const MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+        Utilities::MPI::sum(values, communicator, values);
     }
   } // namespace
 
@@ -79,7 +90,26 @@ namespace StickSlip
                                                       laws,
                                                       std::vector<double>(
                                                         faults.size())))
-  {}
+  {
+    const std::vector<unsigned int> &nodes = faults.owned_contact();
+    std::vector<std::pair<unsigned int, unsigned int>> here(entries.size());
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (const unsigned int entry = entries.of_node[i][d];
+            entry != numbers::invalid_unsigned_int)
+          here[entry] = {nodes[i], d};
+        else if (laws[nodes[i]].is_prescribed)
+          prescribed.push_back(faults.node(nodes[i]) * n_components + d);
+    const MPI_Comm communicator =
+      problem.hierarchy().finest().nodes.communicator();
+    const auto all = Utilities::MPI::all_gather(communicator, here);
+    for (unsigned int p = 0; p < all.size(); ++p)
+      {
+        if (p == Utilities::MPI::this_mpi_process(communicator))
+          first_place = places.size();
+        places.insert(places.end(), all[p].begin(), all[p].end());
+      }
+  }
 
 
 
@@ -87,23 +117,30 @@ namespace StickSlip
   void
   ExplicitStep<dim, n_components>::prepare()
   {
-    const BlockMatrix<n_components> &K =
-      problem.term(SpatialProblem<dim, n_components>::stiffness);
-    condensed = std::make_unique<CondensedOperator<n_components>>(entries);
-    condensed->set_matrix(K, problem.operators().unknowns().fixed);
+    const NodePartition &nodes = problem.hierarchy().finest().nodes;
+    condensed = std::make_unique<SchurComplement<n_components>>(
+      problem.term(SpatialProblem<dim, n_components>::stiffness),
+      nodes,
+      problem.operators().unknowns().fixed,
+      entries.positions,
+      prescribed);
     if (!following.is_needed())
       return;
     const NodalVector no_load = problem.make_vector();
     pressures_of_slip.reserve(std::size_t(entries.size()) * faults.size());
-    for (const unsigned int position : entries.positions)
+    for (unsigned int i = 0; i < places.size(); ++i)
       {
-        NodalVector w             = problem.make_vector();
-        w.local_element(position) = 1.;
+        const bool is_here =
+          i >= first_place && i < first_place + entries.size();
+        NodalVector w = problem.make_vector();
+        if (is_here)
+          w.local_element(entries.positions[i - first_place]) = 1.;
         balance(w, no_load);
         const std::vector<double> column = forces_of(w, no_load).pressure;
-        pressures_of_slip.insert(pressures_of_slip.end(),
-                                 column.begin(),
-                                 column.end());
+        if (is_here)
+          pressures_of_slip.insert(pressures_of_slip.end(),
+                                   column.begin(),
+                                   column.end());
       }
   }
 
@@ -156,16 +193,18 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  typename ExplicitStep<dim, n_components>::ForceRates
+  typename ExplicitStep<dim, n_components>::Forces
   ExplicitStep<dim, n_components>::forces_of(const NodalVector &w,
                                              const NodalVector &load) const
   {
     NodalVector forces = problem.make_vector();
     problem.term(SpatialProblem<dim, n_components>::stiffness)
       .residual(forces, load, w);
-    ForceRates result;
+    Forces result;
     for (const unsigned int position : entries.positions)
-      result.force.push_back(forces.local_element(position));
+      result.free.push_back(forces.local_element(position));
+    for (const unsigned int position : prescribed)
+      result.prescribed.push_back(forces.local_element(position));
     if (following.is_needed())
       {
         forces *= -1.;
@@ -179,28 +218,97 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  typename ExplicitStep<dim, n_components>::Forces
+  ExplicitStep<dim, n_components>::forces_in(const SystemState<dim> &state)
+  {
+    if (state.fault_force.empty())
+      {
+        NodalVector u = problem.make_vector();
+        problem.to_jumps(u, state.displacement);
+        const NodalVector load = problem.load(state.time);
+        balance(u, load);
+        return forces_of(u, load);
+      }
+    NodalVector forces = problem.make_vector();
+    add_slip(forces, state.fault_force, 1.);
+    Forces result;
+    for (const unsigned int position : entries.positions)
+      result.free.push_back(forces.local_element(position));
+    for (const unsigned int position : prescribed)
+      result.prescribed.push_back(forces.local_element(position));
+    if (following.is_needed())
+      result.pressure = state.contact_pressure;
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  const typename ExplicitStep<dim, n_components>::Forces &
+  ExplicitStep<dim, n_components>::driven_forces(const NodalVector &known,
+                                                 const NodalVector &load_rate)
+  {
+    const bool load_varies = load_rate.linfty_norm() > 0.;
+    const bool is_new      = driven_by.size() == 0 || load_varies ||
+                        !std::equal(known.begin(),
+                                    known.begin() + known.locally_owned_size(),
+                                    driven_by.begin());
+    if (Utilities::MPI::max(int(is_new), known.get_mpi_communicator()) > 0)
+      {
+        NodalVector w = known;
+        balance(w, load_rate);
+        driven    = forces_of(w, load_rate);
+        driven_by = load_varies ? NodalVector() : known;
+      }
+    return driven;
+  }
+
+
+
+  template <int dim, int n_components>
+  NodalVector
+  ExplicitStep<dim, n_components>::load_rate(const double time,
+                                             const double tau) const
+  {
+    NodalVector result = problem.load(time);
+    result -= problem.load(time - tau);
+    if (tau > 0.)
+      result /= tau;
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
   void
   ExplicitStep<dim, n_components>::set_force_rates(
-    Stage            &stage,
-    const ForceRates &drive) const
+    Stage        &stage,
+    const double  part,
+    const Forces &drive,
+    const Forces &drive_end) const
   {
-    std::vector<double>              rates(entries.size());
-    const std::vector<unsigned int> &nodes = faults.owned_contact();
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        if (entries.of_node[i][d] != numbers::invalid_unsigned_int)
-          rates[entries.of_node[i][d]] = stage.slip_rate[nodes[i]][d];
-    stage.forces = drive;
+    const auto between = [part](std::vector<double>       &result,
+                                const std::vector<double> &first,
+                                const std::vector<double> &second) {
+      result.resize(first.size());
+      for (unsigned int i = 0; i < first.size(); ++i)
+        result[i] = (1. - part) * first[i] + part * second[i];
+    };
     std::vector<double> product;
-    condensed->vmult(product, rates);
-    for (unsigned int i = 0; i < rates.size(); ++i)
-      stage.forces.force[i] -= product[i];
-    if (following.is_needed())
-      for (unsigned int i = 0; i < rates.size(); ++i)
-        add_multiple(stage.forces.pressure.data(),
-                     rates[i],
-                     pressures_of_slip.data() + std::size_t(i) * faults.size(),
-                     faults.size());
+    condensed->multiply(product, stage.rates);
+    between(stage.forces.free, drive.free, drive_end.free);
+    add(stage.forces.free, -1., product);
+    if (!following.is_needed())
+      return;
+    std::vector<double> pressure(faults.size());
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      add_multiple(pressure.data(),
+                   stage.rates[first_place + i],
+                   pressures_of_slip.data() + std::size_t(i) * faults.size(),
+                   faults.size());
+    sum_up(pressure, problem.hierarchy().finest().nodes.communicator());
+    between(stage.forces.pressure, drive.pressure, drive_end.pressure);
+    add(stage.forces.pressure, 1., pressure);
   }
 
 
@@ -213,30 +321,38 @@ namespace StickSlip
     const std::vector<double> &force,
     const std::vector<double> &normal_stress) const
   {
-    if (!are_numbers(alpha) || !are_numbers(force) ||
-        !are_numbers(normal_stress))
+    // All processes have these, and return together.
+    if (!are_numbers(alpha) || !are_numbers(normal_stress))
       return false;
     friction->set_normal_stresses(faults.at_owned_contact(normal_stress));
     friction->set_state(faults.at_owned_contact(alpha));
     const std::vector<unsigned int> &nodes = faults.owned_contact();
     const Tensor<2, n_components>    nothing;
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      {
-        Tensor<1, n_components>        r, start;
-        std::array<bool, n_components> takes_part = {};
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          if (entries.of_node[i][d] != numbers::invalid_unsigned_int)
-            {
-              takes_part[d] = true;
-              r[d]          = force[entries.of_node[i][d]];
-              start[d]      = stage.slip_rate[nodes[i]][d];
-            }
-        const Tensor<1, n_components> v =
-          friction->minimise(i, nothing, r, takes_part, start);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          if (takes_part[d])
-            stage.slip_rate[nodes[i]][d] = v[d];
-      }
+    std::vector<double>              rates(entries.size(),
+                              std::numeric_limits<double>::quiet_NaN());
+    if (are_numbers(force))
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        {
+          Tensor<1, n_components>        r, start;
+          std::array<bool, n_components> takes_part = {};
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            if (entries.of_node[i][d] != numbers::invalid_unsigned_int)
+              {
+                takes_part[d] = true;
+                r[d]          = force[entries.of_node[i][d]];
+                start[d]      = stage.slip_rate[nodes[i]][d];
+              }
+          const Tensor<1, n_components> v =
+            friction->minimise(i, nothing, r, takes_part, start);
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            if (takes_part[d])
+              rates[entries.of_node[i][d]] = v[d];
+        }
+    stage.rates = condensed->on_all(rates);
+    if (!are_numbers(stage.rates))
+      return false;
+    for (unsigned int i = 0; i < places.size(); ++i)
+      stage.slip_rate[places[i].first][places[i].second] = stage.rates[i];
     stage.state_rate.assign(faults.size(), 0.);
     for (unsigned int k = 0; k < faults.size(); ++k)
       if (slips_freely(k) && laws[k].state_law)
@@ -255,13 +371,10 @@ namespace StickSlip
                                             const Slip  &rates,
                                             const double factor) const
   {
-    const std::vector<unsigned int> &nodes = faults.owned_contact();
-    for (unsigned int i = 0; i < nodes.size(); ++i)
+    for (const unsigned int k : faults.owned_contact())
       for (unsigned int d = 0; d < dim - 1; ++d)
-        if (const unsigned int entry = entries.of_node[i][d];
-            entry != numbers::invalid_unsigned_int)
-          w.local_element(entries.positions[entry]) +=
-            factor * rates[nodes[i]][d];
+        w.local_element(faults.node(k) * n_components + d) +=
+          factor * rates[k][d];
   }
 
 
@@ -273,8 +386,6 @@ namespace StickSlip
                                         const double            tolerance,
                                         double                 &error)
   {
-    const BlockMatrix<n_components> &K =
-      problem.term(SpatialProblem<dim, n_components>::stiffness);
     if (!condensed)
       prepare();
 
@@ -285,72 +396,45 @@ namespace StickSlip
     error          = std::numeric_limits<double>::quiet_NaN();
 
     // The start of the step, and what drives it.
-    NodalVector u = problem.make_vector();
-    problem.to_jumps(u, from.displacement);
-    const NodalVector load     = problem.load(from.time),
-                      load_end = problem.load(from.time + tau);
-    const ForceRates start     = forces_of(u, load);
-    NodalVector      load_rate(load_end);
-    load_rate -= load;
-    load_rate /= tau;
-    const bool load_varies = load_rate.linfty_norm() > 0.;
-
-    const auto drive_of = [&](const NodalVector &known) {
-      if (driven_by.size() == 0 || load_varies ||
-          !std::equal(known.begin(),
-                      known.begin() + known.locally_owned_size(),
-                      driven_by.begin()))
-        {
-          NodalVector w = known;
-          balance(w, load_rate);
-          driven    = forces_of(w, load_rate);
-          driven_by = load_varies ? NodalVector() : known;
-        }
-      return driven;
-    };
-    const NodalVector known     = known_velocities(from.time),
+    const Forces      start     = forces_in(from);
+    const NodalVector load_rate = this->load_rate(from.time + tau, tau),
+                      known     = known_velocities(from.time),
                       known_end = known_velocities(from.time + tau);
-    const ForceRates drive = drive_of(known), drive_end = drive_of(known_end);
+    const Forces drive          = driven_forces(known, load_rate),
+                 drive_end      = driven_forces(known_end, load_rate);
 
     // Stages, of which the last one is the end.
     std::array<Stage, n_stages> stages;
     // Slip rates that are prescribed may jump at the start of a run.
     const Slip known_slip     = faults.tangential_jumps(known),
                known_slip_end = faults.tangential_jumps(known_end);
-    std::vector<double> alpha, force, pressure, normal_stress;
+    Forces              forces;
+    std::vector<double> alpha, normal_stress;
     for (unsigned int i = 0; i < n_stages; ++i)
       {
-        alpha    = from.alpha;
-        force    = start.force;
-        pressure = start.pressure;
+        alpha  = from.alpha;
+        forces = start;
         for (unsigned int j = 0; j < i; ++j)
           if (const double weight = tau * weights[i][j]; weight != 0.)
             {
-              const auto add = [weight](std::vector<double>       &values,
-                                        const std::vector<double> &rates) {
-                for (unsigned int k = 0; k < values.size(); ++k)
-                  values[k] += weight * rates[k];
-              };
-              add(alpha, stages[j].state_rate);
-              add(force, stages[j].forces.force);
-              add(pressure, stages[j].forces.pressure);
+              add(alpha, weight, stages[j].state_rate);
+              add(forces.free, weight, stages[j].forces.free);
+              if (following.is_needed())
+                add(forces.pressure, weight, stages[j].forces.pressure);
             }
         normal_stress =
           following.is_needed() ?
-            following.normal_stress(from.normal_stress, pressure) :
+            following.normal_stress(from.normal_stress, forces.pressure) :
             from.normal_stress;
         stages[i].slip_rate = i == 0 ? from.slip_rate : stages[i - 1].slip_rate;
         for (unsigned int k = 0; k < faults.size(); ++k)
           if (!slips_freely(k))
             stages[i].slip_rate[k] = known_slip_end[k];
-        if (!find_rates(stages[i], alpha, force, normal_stress))
+        if (!find_rates(stages[i], alpha, forces.free, normal_stress))
           return result;
         // Nothing comes after the last one.
         if (i + 1 < n_stages)
-          set_force_rates(
-            stages[i],
-            {between(parts[i], drive.force, drive_end.force),
-             between(parts[i], drive.pressure, drive_end.pressure)});
+          set_force_rates(stages[i], parts[i], drive, drive_end);
       }
 
     std::vector<double> state_errors(faults.size()), slip_errors(faults.size());
@@ -386,41 +470,90 @@ namespace StickSlip
     if (!(error <= tolerance))
       return result;
 
-    // Bodies in equilibrium at the end, and their velocities.
-    NodalVector w = known;
-    w += known_end;
-    w *= 0.5 * tau;
-    w += u;
-    add_slip(w, to.mean_slip_rate, tau);
-    balance(w, load_end);
-    NodalVector velocity = known_end;
-    add_slip(velocity, stages[n_stages - 1].slip_rate, 1.);
-    balance(velocity, load_rate);
+    // Forces on prescribed entries follow the mean rates.
+    std::vector<double> mean_rates, product;
+    for (const auto &[k, d] : places)
+      mean_rates.push_back(to.mean_slip_rate[k][d]);
+    condensed->multiply_known(product, mean_rates);
+    add(forces.prescribed, 0.5 * tau, drive.prescribed);
+    add(forces.prescribed, 0.5 * tau, drive_end.prescribed);
+    add(forces.prescribed, -tau, product);
 
-    to.time      = from.time + tau;
-    to.last_step = tau;
-    to.alpha     = alpha;
-    to.slip      = from.slip;
+    to.time                = from.time + tau;
+    to.last_step           = tau;
+    to.alpha               = alpha;
+    to.slip_rate           = stages[n_stages - 1].slip_rate;
+    to.normal_stress       = normal_stress;
+    NodalVector mean_known = known;
+    mean_known += known_end;
+    mean_known *= 0.5;
+    set_end(to, from, mean_known, forces);
+    result.converged = true;
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  ExplicitStep<dim, n_components>::set_end(SystemState<dim>       &to,
+                                           const SystemState<dim> &from,
+                                           const NodalVector      &mean_known,
+                                           const Forces           &end) const
+  {
+    const double tau = to.last_step;
+    to.slip          = from.slip;
     for (unsigned int k = 0; k < to.slip.size(); ++k)
       to.slip[k] += tau * to.mean_slip_rate[k];
-    to.slip_rate    = stages[n_stages - 1].slip_rate;
-    to.displacement = to.velocity = problem.make_nodal_vector();
-    problem.to_nodal(to.displacement, w);
-    problem.to_nodal(to.velocity, velocity);
-    to.mean_velocity = to.displacement;
-    to.mean_velocity -= from.displacement;
-    to.mean_velocity /= tau;
-    to.normal_stress = normal_stress;
+
+    NodalVector forces = problem.make_vector();
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      forces.local_element(entries.positions[i]) = end.free[i];
+    for (unsigned int i = 0; i < prescribed.size(); ++i)
+      forces.local_element(prescribed[i]) = end.prescribed[i];
+    to.fault_force = faults.tangential_jumps(forces);
     if (following.is_needed())
-      {
-        to.contact_pressure = forces_of(w, load_end).pressure;
-        to.normal_stress =
-          following.normal_stress(from.normal_stress, to.contact_pressure);
-      }
+      to.contact_pressure = end.pressure;
     to.balancing_traction =
-      balancing_tractions(faults, laws, to, K, load_end, w);
-    result.converged = std::isfinite(to.displacement.l2_norm());
-    return result;
+      balancing_tractions(faults, laws, to, to.fault_force);
+
+    // Driven sides and faults move, and the rest waits.
+    NodalVector change = mean_known, nodal = problem.make_nodal_vector();
+    for (const unsigned int k : faults.owned_contact())
+      if (slips_freely(k))
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          change.local_element(faults.node(k) * n_components + d) =
+            to.mean_slip_rate[k][d];
+    problem.to_nodal(nodal, change);
+    to.displacement = from.displacement;
+    to.displacement.add(tau, nodal);
+    to.velocity    = from.velocity;
+    to.is_complete = false;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  ExplicitStep<dim, n_components>::complete(SystemState<dim> &state)
+  {
+    if (state.is_complete)
+      return;
+    if (!condensed)
+      prepare();
+    NodalVector w = problem.make_vector();
+    problem.to_jumps(w, state.displacement);
+    balance(w, problem.load(state.time));
+    problem.to_nodal(state.displacement, w);
+    w = known_velocities(state.time);
+    for (const unsigned int k : faults.owned_contact())
+      if (slips_freely(k))
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          w.local_element(faults.node(k) * n_components + d) =
+            state.slip_rate[k][d];
+    balance(w, load_rate(state.time, state.last_step));
+    problem.to_nodal(state.velocity, w);
+    state.is_complete = true;
   }
 
 

@@ -460,6 +460,12 @@ namespace StickSlip
             "friction and the normal stress of the contact" + within +
             ", and may have no solution that does where a body leans from the "
             "normal of a fault by less than the angle of friction");
+        if (unilateral.is_needed() &&
+            change <= time_parameters.rate_state_tolerance)
+          throw StepFailure(
+            "velocities" + within +
+            ", which may need more 'TNNMG/Cycles per correction' for a body "
+            "that hardly anything but friction holds");
         throw StepFailure("rate and state" + within);
       }
     return false;

@@ -27,7 +27,7 @@ namespace StickSlip
                "Dormand and Prince with the error that these tell, on the "
                "faults alone, with a dense matrix; only with 'Inertia' = "
                "'quasi-dynamic', bodies without viscosity and faults that do "
-               "not open, on one process. No rate problem is solved then.");
+               "not open. No rate problem is solved then.");
     add_number(
       prm,
       "Tolerance",

@@ -3,15 +3,17 @@
 # Copyright (C) 2026 by the stickslip authors
 """Run a benchmark of the SEAS project and put it beside published numbers.
 
-Usage: contrib/seas NAME [--cell M] [--years Y] [--drawn-only] [--set ENTRY=VALUE]
-                    [--program FILE]
+Usage: contrib/seas NAME [--cell M] [--years Y] [--drawn-only] [--image]
+                    [--set ENTRY=VALUE] [--program FILE]
 
 NAME is that of a scene of parameters/seas, as bp1. Cells on the fault have M metres,
 those of the scene over or times a power of two; Y are years of 365 days. The run goes
 to output/seas/NAME_M/, the figure to figure.png there, profiles of slip and stresses
 in the form of the benchmarks to slip.dat, shear_stress.dat and normal_stress.dat, and
 a table of the events to the screen: an event begins when the largest slip rate passes
-1e-3 m/s. With --drawn-only an earlier run is taken; --set is passed on.
+1e-3 m/s; of bp5 also their moments, and when the first rupture arrives where. With
+--drawn-only an earlier run is taken, with --image the figure goes to doc/images as well;
+--set is passed on.
 """
 
 import dataclasses
@@ -22,6 +24,7 @@ import h5py
 import numpy as np
 
 from common import figures, programs
+from experiments.seas import rupture
 
 YEAR = 365 * 86400.
 THRESHOLD = 1e-3
@@ -53,6 +56,7 @@ BENCHMARKS = {
                               (177.22, 277.53, 334.53, 421.54, 514.05, 611.52, 674.79)),
     "bp3_normal60": Benchmark(PLANE, 200., 13, 2. / math.sqrt(3.)),
     "bp3_thrust30": Benchmark(PLANE, 200., 13, 2.),
+    "bp5": Benchmark(("minus", "plus"), 2000., 7),
 }
 
 
@@ -159,7 +163,7 @@ def write_profiles(folder, history):
                 file.write(f"{history.time[i]:.13E} {np.log10(rate):.6E} {line}\n")
 
 
-def draw(folder, series, history):
+def draw(series, history):
     figure, (above, below) = figures.new_figure(2, height=7.)
     above.semilogy(series["time"] / YEAR, series["rate"], lw=0.7, color=figures.BLUE)
     above.axhline(THRESHOLD, lw=0.5, color=figures.GREY)
@@ -170,8 +174,14 @@ def draw(folder, series, history):
     below.invert_yaxis()
     below.set(xlabel="slip [m]; every 5 yr (blue) and every second of events (red)",
               ylabel="distance down the fault [km]")
+    return figure
+
+
+def save(figure, given, folder):
     path = folder / "figure.png"
     figure.savefig(path, dpi=110)
+    if given.image:
+        path = figures.save(figure, f"seas_{given.name}")
     print(f"The figure is {path}.")
 
 
@@ -181,6 +191,7 @@ def main():
     parser.add_argument("--cell", type=float)
     parser.add_argument("--years", type=float)
     parser.add_argument("--drawn-only", action="store_true")
+    parser.add_argument("--image", action="store_true")
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--program", default=programs.PROGRAM)
     given = parser.parse_args()
@@ -201,9 +212,15 @@ def main():
     series = {"time": table["time"], "rate": np.abs(table["fault.max_slip_rate"])}
     starts, peaks = events(series["time"], series["rate"])
     show(given.name, starts, peaks)
+    if given.name == "bp5":
+        on_grid = rupture.read(folder)
+        rupture.show(on_grid)
+        rupture.show_arrivals(on_grid)
+        save(rupture.draw(series, on_grid), given, folder)
+        return
     history = read_fault(folder, benchmark)
     write_profiles(folder, history)
-    draw(folder, series, history)
+    save(draw(series, history), given, folder)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 
 #include <stickslip/algebra/singular_matrix.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace StickSlip
@@ -22,6 +23,23 @@ namespace StickSlip
                      const double               factor,
                      const std::vector<double> &A,
                      const std::vector<double> &x);
+
+  /** y = A x with the upper left part of a matrix, of as many rows as x has,
+   * whose rows begin @p stride numbers after each other. */
+  void
+  multiply_symmetric_part(std::vector<double>       &y,
+                          const double              *A,
+                          const std::size_t          stride,
+                          const std::vector<double> &x);
+
+  /** y = A x with @p n_rows rows of as many numbers as x has, which begin
+   * @p stride numbers after each other. */
+  void
+  multiply_rows(std::vector<double>       &y,
+                const unsigned int         n_rows,
+                const double              *A,
+                const std::size_t          stride,
+                const std::vector<double> &x);
 
   /** y += factor * x, for @p n numbers. */
   void

@@ -24,6 +24,16 @@ namespace StickSlip
      */
     explicit MumpsFactorisation(const std::vector<unsigned int> &retained = {});
 
+    /**
+     * On all processes of @p nodes, each with its rows of the matrix. The @p
+     * retained entries have global numbers (n_components * global node +
+     * component), in any order, the same on all processes; the first process
+     * gets the Schur complement, in that order. What is not const is
+     * collective.
+     */
+    MumpsFactorisation(const NodePartition                        &nodes,
+                       const std::vector<types::global_dof_index> &retained);
+
     ~MumpsFactorisation() override;
 
     void
@@ -36,6 +46,10 @@ namespace StickSlip
     /** A_FF - A_FI A_II^-1 A_IF of the last matrix, symmetric, all entries. */
     const std::vector<double> &
     schur_complement() const;
+
+    /** Schur complement to keep; it is not here any more then. */
+    std::vector<double>
+    take_schur_complement();
 
   private:
     struct Implementation;

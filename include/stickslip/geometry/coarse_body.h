@@ -4,6 +4,7 @@
 #ifndef stickslip_geometry_coarse_body_h
 #define stickslip_geometry_coarse_body_h
 
+#include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
 
 #include <stickslip/geometry/body_geometry.h>
@@ -12,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,9 @@ namespace StickSlip
     /** Function of the position that is greater than zero where the passes
      * refine; empty: everywhere. */
     std::function<double(const Point<dim> &)> refine_where;
+
+    /** Cells that are refined as well. */
+    std::set<CellId> refined_cells;
 
     /** True if the body does not deform; it is not refined then. */
     bool rigid = false;

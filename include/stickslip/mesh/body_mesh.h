@@ -39,8 +39,9 @@ namespace StickSlip
     /**
      * The mesh of a body: coarse cells, refined all over, then passes that
      * each refine every cell with a vertex on one of the @p sides_at_faults,
-     * as far as CoarseBody::refine_where says. Throws InputError if these are
-     * tetrahedra, or if a cell is inverted since its faults bend.
+     * as far as CoarseBody::refine_where says, then the cells that are listed.
+     * Throws InputError if these are tetrahedra, or if a cell is inverted since
+     * its faults bend.
      */
     BodyMesh(const CoarseBody<dim>              &body,
              const std::set<types::boundary_id> &sides_at_faults);

@@ -44,6 +44,17 @@ namespace StickSlip
                  const unsigned int      k);
 
   /**
+   * The shear tractions that balance @p forces on all slave nodes, N, Pa, where
+   * the law does not tell them; else as below.
+   */
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  balancing_tractions(const FaultNodes<dim>                 &faults,
+                      const NodeLaws                        &laws,
+                      const SystemState<dim>                &state,
+                      const std::vector<Tensor<1, dim - 1>> &forces);
+
+  /**
    * The shear tractions at all slave nodes that balance the forces on them, Pa,
    * where the law does not tell them, and zero elsewhere: where the slip rates
    * of @p state are below least_slip_rate or prescribed. Empty if there is no

@@ -29,6 +29,10 @@ namespace StickSlip
     /** Nodal values, m, m/s, m/s^2; the last empty without inertia. */
     NodalVector displacement, velocity, acceleration;
 
+    /** False if only faults and driven sides have moved in these, and the rest
+     * waits for StepSizeController::complete(). */
+    bool is_complete = true;
+
     /** Forces that are not of the contact, dual in the jump basis, N: carried
      * from step to step by the scheme for faults that open (ContactImplicit);
      * empty elsewhere, at the start and after a new contact mapping. */
@@ -55,6 +59,11 @@ namespace StickSlip
     /** Normal stress at each slave node, Pa, compression positive, none
      * negative. */
     std::vector<double> normal_stress;
+
+    /** Forces of the bodies on each slave node along its slip, N, slave
+     * relative to master: carried from step to step by explicit steps; empty
+     * elsewhere, at the start and after a new contact mapping. */
+    std::vector<Tensor<1, dim - 1>> fault_force;
 
     /** Contact pressure at each slave node, Pa, see contact_pressures(); empty
      * where nobody needs it. */
@@ -90,9 +99,9 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &last_step &alpha &slip &slip_rate &mean_slip_rate
-        &balancing_traction &normal_stress &contact_pressure &gap &opening_rate
-          &is_bonded &touching_since;
+      archive &time &is_complete &last_step &alpha &slip &slip_rate
+        &mean_slip_rate &balancing_traction &normal_stress &fault_force
+          &contact_pressure &gap &opening_rate &is_bonded &touching_since;
     }
   };
 

@@ -103,8 +103,8 @@ namespace StickSlip
                const GapPath             &path) const;
 
     /** The pressure of the bodies at each slave node, Pa, from the reaction of
-     * the rate problem over the weights; exactly that of no normal stress where
-     * the sides do not touch. */
+     * the rate problem over the weights; where sides do not touch that of no
+     * normal stress, less the pull of a bond that breaks in this step. */
     std::vector<double>
     contact_pressure(const SystemState<dim>    &from,
                      const std::vector<double> &reaction,

@@ -16,6 +16,7 @@
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/scene/block_entries.h>
 #include <stickslip/scene/fault_geometry.h>
+#include <stickslip/scene/mesh_accuracy.h>
 #include <stickslip/scene/mesh_entries.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/tnnmg/solver_parameters.h>
@@ -74,6 +75,9 @@ namespace StickSlip
 
     /** Coarser meshes of the same bodies, finest first. */
     std::vector<std::shared_ptr<const CutMesh<dim>>> coarser_meshes;
+
+    /** Refinement that the program chooses. */
+    MeshAccuracy mesh_accuracy;
 
     std::vector<BoundaryCondition<dim>> boundary_conditions;
 
@@ -134,6 +138,13 @@ namespace StickSlip
     unsigned int
     nearest_body(const std::vector<BodySide> &side,
                  const Point<dim>            &point) const;
+
+  private:
+    std::vector<CoarseBody<dim>>
+    coarse_bricks() const;
+
+    std::vector<CoarseBody<dim>>
+    coarse_bodies_of_mesh() const;
   };
 } // namespace StickSlip
 

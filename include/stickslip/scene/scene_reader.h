@@ -98,6 +98,10 @@ namespace StickSlip
     void
     read_mesh(SceneParameters<dim> &scene) const;
 
+    /** Read the cells that are refined, if there is a file of them. */
+    void
+    read_refinement(MeshAccuracy &accuracy) const;
+
     /** Make the blocks of a scene whose bodies and faults are named. */
     template <int dim>
     void

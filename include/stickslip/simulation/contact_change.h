@@ -66,12 +66,14 @@ namespace StickSlip
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
-   * @p now. Slip rates belong to the nodes of the fault and stay, along axes
-   * that may have turned; the velocity of the slave side follows from them and
-   * from the new partners. Nodes that come into contact get the jump of the
-   * velocities as they are, and the gap of their nearest neighbour. Sides that
-   * touch keep doing so; gaps of others change by as much as their
-   * distances_of_gaps() from those with the mapping before. Collective.
+   * @p now. Where sides touch, slip rates belong to the nodes of the fault and
+   * stay, along axes that may have turned; the velocity of the slave side
+   * follows from them and from the new partners. Where they are apart,
+   * velocities stay, and with them their energy. Nodes that come into contact
+   * get the jump of the velocities as they are, and the gap of their nearest
+   * neighbour. Sides that touch keep doing so; gaps of others change by as much
+   * as their distances_of_gaps() from those with the mapping before.
+   * Collective.
    */
   template <int dim, int n_components = dim>
   void

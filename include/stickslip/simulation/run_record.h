@@ -22,6 +22,8 @@
 #include <stickslip/simulation/stations.h>
 #include <stickslip/time/energy_balance.h>
 
+#include <functional>
+
 namespace StickSlip
 {
   /**
@@ -38,13 +40,16 @@ namespace StickSlip
   public:
     /**
      * Creates the output folder and the files. @p space, whose contact mapping
-     * may change later, and @p faults as at the start; or goes on with the
+     * may change later, and @p faults as at the start; @p complete_state lets
+     * the bodies of the state follow, and is called before they are written; or
+     * goes on with the
      * files of an @p earlier record, which are as they were then again, with
      * the faults of that moment.
      */
     RunRecord(const SceneParameters<dim>            &scene,
               const ContactSpace<dim, n_components> &space,
               const std::vector<FaultSnapshot<dim>> &faults,
+              const std::function<void()>           &complete_state,
               const RecordState                     *earlier = nullptr);
 
     /** Take in an accepted step; the state at the start has number 0. @p
@@ -107,6 +112,12 @@ namespace StickSlip
     void
     write_surfaces_now(const unsigned int number);
 
+    /** True if files that are written show where bodies or their nodes are. */
+    bool
+    shows_bodies(const bool at_stations,
+                 const bool fault_history,
+                 const bool fields) const;
+
     /** True if there are VTU files. */
     bool
     has_fields() const
@@ -144,6 +155,7 @@ namespace StickSlip
     const ContactSpace<dim, n_components> &space;
     const MPI_Comm                         communicator;
     const Stations<dim>                    stations;
+    const std::function<void()>            complete_state;
     std::unique_ptr<Files>                 files;
     OutputCadence                          fault_cadence;
     OutputCadence                          station_cadence;

@@ -69,6 +69,11 @@ namespace StickSlip
       return step_size_controller->is_finished(state().time);
     }
 
+    /** Let the bodies of the state follow its faults, where steps leave that to
+     * those who look at them (Time/Step size control = Runge-Kutta). */
+    void
+    complete_state();
+
     /** The state reached. */
     const SystemState<dim> &
     state() const
@@ -126,6 +131,11 @@ namespace StickSlip
 
     void
     accept(StepResult<dim> &&step);
+
+    /** Let the bodies follow the faults, if a step has left that: for the
+     * energy, at the end of the step @p step from the present state. */
+    void
+    complete_step(StepResult<dim> &step);
 
     /** Couple the faults anew if a node has slid too far since the last time.
      */

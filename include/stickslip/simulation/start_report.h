@@ -20,8 +20,10 @@ namespace StickSlip
    * over the normal stress at the start; the fewest steps and output.
    *
    * Stresses and the stiffness are those of the same scene on a coarser mesh of
-   * some thousand unknowns; nothing is said of them where the unrefined mesh is
-   * larger than that. Not collective: for one process, while others wait.
+   * some thousand unknowns, or on the unrefined one of blocks and mesh files;
+   * nothing is said of them where that has more than 400,000 unknowns in two
+   * dimensions or 100,000 in three. Not collective: for one process, while
+   * others wait.
    *
    * @param more_warnings are printed first.
    *

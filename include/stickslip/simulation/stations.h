@@ -11,6 +11,7 @@
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,16 @@ namespace StickSlip
     tables() const
     {
       return headers;
+    }
+
+    bool
+    any_in_bodies() const
+    {
+      return std::any_of(headers.begin(),
+                         headers.end(),
+                         [](const StationTable &station) {
+                           return !station.is_on_fault;
+                         });
     }
 
     /**

@@ -192,6 +192,12 @@ namespace StickSlip
     double
     driven_work(const double tau) const;
 
+    /** Work that sides of prescribed velocity do in impacts, J: the impulses
+     * that keep them at their velocities of end, while those of bodies jump by
+     * @p velocity_change, in the jump basis. */
+    double
+    driven_work_of_impacts(const NodalVector &velocity_change) const;
+
     /** 1/2 x . A x of nodal values and a term of the problem. */
     double
     quadratic_form(const typename SpatialProblem<dim, n_components>::Term term,

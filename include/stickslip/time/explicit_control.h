@@ -24,6 +24,12 @@ namespace StickSlip
                     const TimeParameters              &parameters,
                     BoundaryValues<dim, n_components> &loads);
 
+    void
+    complete(SystemState<dim> &state) override
+    {
+      explicit_step.complete(state);
+    }
+
   protected:
     std::vector<StepResult<dim>>
     accepted_steps(const SystemState<dim> &state,

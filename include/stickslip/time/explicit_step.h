@@ -5,12 +5,14 @@
 #define stickslip_time_explicit_step_h
 
 #include <stickslip/condensed/condensed_operator.h>
+#include <stickslip/condensed/schur_complement.h>
 #include <stickslip/faults/fault_functional.h>
 #include <stickslip/faults/following_stress.h>
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace StickSlip
@@ -27,12 +29,14 @@ namespace StickSlip
    * with the Schur complement S of the stiffness as a dense matrix and what
    * driven sides, prescribed slip and loads add, R. At given forces, state and
    * normal stress each node has its own slip rate, by friction and radiation
-   * damping. So slip and state obey ordinary differential equations, a stage is
-   * a product with S, and the bodies are looked at once, at the end. Normal
-   * stresses that follow are linear in the slip as well, with a second matrix.
+   * damping. So slip and state obey ordinary differential equations, and a
+   * stage is a product with S. Normal stresses that follow are linear in the
+   * slip as well, with a second matrix. Bodies are not looked at: forces and
+   * pressures are carried from step to step, and complete() brings the bodies
+   * of a state into equilibrium, for those who want to see them.
    *
-   * What is prescribed is taken as linear in time within a step. On one
-   * process.
+   * Prescribed motion and loads are linear in time within a step. Processes
+   * have the friction and the rows of S of their own nodes.
    */
   template <int dim, int n_components = dim>
   class ExplicitStep
@@ -57,22 +61,28 @@ namespace StickSlip
          const double            tolerance,
          double                 &error);
 
+    /** Bring the bodies of a state that steps have led to into equilibrium. */
+    void
+    complete(SystemState<dim> &state);
+
   private:
     using Slip = std::vector<Tensor<1, dim - 1>>;
 
-    /** Rates of the forces on the free entries of the faults, N/s, and of the
-     * contact pressures of all slave nodes, Pa/s. */
-    struct ForceRates
+    /** Forces on the free and on the prescribed entries of this process, N, and
+     * contact pressures of all slave nodes, Pa; or their rates. */
+    struct Forces
     {
-      std::vector<double> force, pressure;
+      std::vector<double> free, prescribed, pressure;
     };
 
-    /** Rates at one of the times within a step. */
+    /** Rates at one of the times within a step: slip rates on the free entries
+     * of all processes, and of all nodes. */
     struct Stage
     {
+      std::vector<double> rates;
       Slip                slip_rate;
       std::vector<double> state_rate;
-      ForceRates          forces;
+      Forces              forces;
     };
 
     /** Make the matrices. */
@@ -90,21 +100,44 @@ namespace StickSlip
     balance(NodalVector &w, const NodalVector &load);
 
     /** The forces of bodies that have been balanced, or their rates. */
-    ForceRates
+    Forces
     forces_of(const NodalVector &w, const NodalVector &load) const;
 
-    /** Set slip rates and those of the state; false if forces, state or normal
-     * stress are no numbers. */
+    /** The forces in a state: those that it carries, or those of its bodies in
+     * equilibrium. */
+    Forces
+    forces_in(const SystemState<dim> &state);
+
+    /** The rates of forces that go with known velocities and loads alone. */
+    const Forces &
+    driven_forces(const NodalVector &known, const NodalVector &load_rate);
+
+    /** The change of the load over the step that has led to @p time, over its
+     * size; zero at the start. */
+    NodalVector
+    load_rate(const double time, const double tau) const;
+
+    /** Set slip rates, from those given as a guess, and rates of the state;
+     * false if forces, state or normal stress are no numbers. */
     bool
     find_rates(Stage                     &stage,
                const std::vector<double> &alpha,
                const std::vector<double> &force,
                const std::vector<double> &normal_stress) const;
 
-    /** Set the rates of the forces; @p drive: what does not come from the
-     * slip. */
+    /** Set the rates of the forces at the @p part of a step that is over. */
     void
-    set_force_rates(Stage &stage, const ForceRates &drive) const;
+    set_force_rates(Stage        &stage,
+                    const double  part,
+                    const Forces &drive,
+                    const Forces &drive_end) const;
+
+    /** The end of a step with these stages and forces, but for its bodies. */
+    void
+    set_end(SystemState<dim>       &to,
+            const SystemState<dim> &from,
+            const NodalVector      &mean_known,
+            const Forces           &end) const;
 
     /** Add rates of slip to a vector of the jump basis. */
     void
@@ -119,15 +152,23 @@ namespace StickSlip
     const NodeLaws                    &laws;
     const FollowingStress<dim>         following;
 
-    const CondensedEntries<n_components>             entries;
-    std::unique_ptr<CondensedOperator<n_components>> condensed;
-    std::unique_ptr<FaultFriction<n_components>>     friction;
-    /** The rate of all contact pressures for a rate of one of each entry, one
-     * after the other; empty where nothing follows them. */
+    const CondensedEntries<n_components> entries;
+    /** Positions of the prescribed entries of this process. */
+    std::vector<unsigned int> prescribed;
+    /** Node and direction of each free entry of all processes. */
+    std::vector<std::pair<unsigned int, unsigned int>> places;
+    /** The number among these of the first one of this process. */
+    unsigned int first_place = 0;
+
+    std::unique_ptr<SchurComplement<n_components>> condensed;
+    std::unique_ptr<FaultFriction<n_components>>   friction;
+    /** The rate of all contact pressures for a rate of one of each free entry
+     * of this process, one after the other; empty where nothing follows them.
+     */
     std::vector<double> pressures_of_slip;
     /** Known velocities, and the rates of forces that go with them alone. */
     NodalVector driven_by;
-    ForceRates  driven;
+    Forces      driven;
   };
 } // namespace StickSlip
 

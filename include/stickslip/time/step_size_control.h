@@ -60,6 +60,12 @@ namespace StickSlip
     std::vector<StepResult<dim>>
     advance(const SystemState<dim> &state, StepMemory<dim> &memory);
 
+    /** Let the bodies of a state follow its faults, where steps leave that to
+     * those who look at them. Collective. */
+    virtual void
+    complete(SystemState<dim> &)
+    {}
+
     /** Look at @p condition between two attempts, if it is not empty; the same
      * answer on all processes. */
     void
