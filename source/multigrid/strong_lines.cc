@@ -14,16 +14,18 @@ namespace StickSlip
 {
   namespace
   {
-    constexpr double least_strength = 0.4;
+    constexpr double least_strength = 0.42;
+
+    /** From here on two nodes are a line without others beside them. Only both
+     * ends of a line of two get there, across a layer of cells that are four
+     * times as wide as thick. */
+    constexpr double strength_of_pairs = 0.7;
 
     /** The farthest nodes of a line that may couple; rows of the coarser side
      * of a fault do so over the dual functions of the finer one. */
     constexpr unsigned int widest_band = 3;
 
-    /** Shorter lines with less strength than this are found where graded meshes
-     * end, and are no trouble. Across thin layers they are much stronger. */
-    constexpr unsigned int shortest_line       = 3;
-    constexpr double       strength_of_shorter = 0.5;
+    constexpr unsigned int shortest_line = 3;
 
     /** The neighbours of a node in its line, the stronger one first. */
     struct Neighbours
@@ -53,6 +55,13 @@ namespace StickSlip
         return node[0] == other || node[1] == other;
       }
 
+      unsigned int
+      number() const
+      {
+        return (node[0] != numbers::invalid_unsigned_int) +
+               (node[1] != numbers::invalid_unsigned_int);
+      }
+
       void
       drop(const unsigned int k)
       {
@@ -75,20 +84,47 @@ namespace StickSlip
       const Number        *A_ij     = matrix.block(position);
       const Number        *A_ii     = matrix.block(sparsity.diagonal[i]);
       const Number        *A_jj     = matrix.block(sparsity.diagonal[j]);
-      double               least    = std::numeric_limits<double>::max();
-      bool                 couples  = false;
+      double               ij = 0., ii = 0., jj = 0.;
       for (unsigned int c = 0; c < n_components; ++c)
         if (fixed.is_active(i, c) && fixed.is_active(j, c))
           {
             const unsigned int cc = c * (n_components + 1);
-            if (!(A_ij[cc] < 0. && A_ii[cc] > 0. && A_jj[cc] > 0.))
-              return 0.;
-            couples = true;
-            least   = std::min(least,
-                             -double(A_ij[cc]) /
-                               std::sqrt(double(A_ii[cc]) * double(A_jj[cc])));
+            ij += A_ij[cc];
+            ii += A_ii[cc];
+            jj += A_jj[cc];
           }
-      return couples ? least : 0.;
+      return ij < 0. && ii > 0. && jj > 0. ? -ij / std::sqrt(ii * jj) : 0.;
+    }
+
+
+
+    /** The neighbours of all nodes, of which each has the other. @p strength
+     * is that of a row and a position in it. */
+    template <typename Strength>
+    std::vector<Neighbours>
+    find_neighbours(const BlockSparsity &sparsity, const Strength &strength)
+    {
+      const unsigned int      n = sparsity.n_rows();
+      std::vector<Neighbours> neighbours(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int k = sparsity.row_start[i];
+             k < sparsity.row_start[i + 1];
+             ++k)
+          if (sparsity.column[k] < n)
+            {
+              const double s = strength(i, k);
+              if (s >= least_strength)
+                neighbours[i].offer(sparsity.column[k], s);
+            }
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int k = 0; k < 2; ++k)
+          {
+            const unsigned int j = neighbours[i].node[k];
+            if (j != numbers::invalid_unsigned_int &&
+                !neighbours[j].contains(i))
+              neighbours[i].drop(k);
+          }
+      return neighbours;
     }
 
 
@@ -115,18 +151,16 @@ namespace StickSlip
 
 
 
-    /** Return if a line is long or strong enough. */
+    /** Return if a line is long or strong enough: others of two nodes are
+     * found where graded meshes end, and are no trouble. */
     bool
     is_worth_it(const NodeLine &line, const std::vector<Neighbours> &neighbours)
     {
-      for (unsigned int i = 0;
-           i + 1 < line.size() && line.size() < shortest_line;
-           ++i)
-        for (const unsigned int k : {0, 1})
-          if (neighbours[line[i]].node[k] == line[i + 1] &&
-              neighbours[line[i]].strength[k] < strength_of_shorter)
-            return false;
-      return line.size() > 1;
+      if (line.size() != 2)
+        return line.size() >= shortest_line;
+      const Neighbours &first = neighbours[line[0]];
+      return first.strength[first.node[0] == line[1] ? 0 : 1] >=
+             strength_of_pairs;
     }
 
 
@@ -181,33 +215,47 @@ namespace StickSlip
     const std::vector<unsigned int>                      &nonsmooth_nodes)
   {
     const unsigned int n = sparsity.n_rows();
-    std::vector<bool>  is_nonsmooth(n, false);
+    std::vector<bool>  is_nonsmooth(n, false), is_free(n, true);
     for (const unsigned int i : nonsmooth_nodes)
       is_nonsmooth[i] = true;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (is_nonsmooth[i] || !fixed.is_active(i, c))
+          is_free[i] = false;
 
-    std::vector<Neighbours> neighbours(n);
+    // Nodes that have lost components couple strongly in the others on meshes
+    // of square cells, too, so that they need free ones beside them.
+    const auto strength = [&](const unsigned int i, const unsigned int k) {
+      const unsigned int j = sparsity.column[k];
+      double             s = 0.;
+      if (i != j && is_nonsmooth[i] == is_nonsmooth[j])
+        for (const BlockMatrix<n_components, Number> &matrix : matrices)
+          s = std::max(s, coupling_strength(matrix, fixed, i, k));
+      return s;
+    };
+    const std::vector<Neighbours> among_free = find_neighbours(
+      sparsity, [&](const unsigned int i, const unsigned int k) {
+        return is_free[i] && is_free[sparsity.column[k]] ? strength(i, k) : 0.;
+      });
+    std::vector<bool> is_beside_line(n, false);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int k = sparsity.row_start[i];
            k < sparsity.row_start[i + 1];
            ++k)
-        {
-          const unsigned int j = sparsity.column[k];
-          if (j == i || j >= n || is_nonsmooth[i] != is_nonsmooth[j])
-            continue;
-          double strength = 0.;
-          for (const BlockMatrix<n_components, Number> &matrix : matrices)
-            strength =
-              std::max(strength, coupling_strength(matrix, fixed, i, k));
-          if (strength >= least_strength)
-            neighbours[i].offer(j, strength);
-        }
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int k = 0; k < 2; ++k)
-        {
-          const unsigned int j = neighbours[i].node[k];
-          if (j != numbers::invalid_unsigned_int && !neighbours[j].contains(i))
-            neighbours[i].drop(k);
-        }
+        if (sparsity.column[k] < n &&
+            among_free[sparsity.column[k]].number() > 0)
+          is_beside_line[i] = true;
+    const std::vector<Neighbours> neighbours =
+      find_neighbours(sparsity,
+                      [&](const unsigned int i, const unsigned int k) {
+                        const unsigned int j = sparsity.column[k];
+                        const double       s = strength(i, k);
+                        return (is_free[i] && is_free[j]) ||
+                                   (is_beside_line[i] && is_beside_line[j]) ||
+                                   s >= strength_of_pairs ?
+                                 s :
+                                 0.;
+                      });
 
     std::vector<NodeLine>     lines;
     std::vector<bool>         visited(n, false);
@@ -215,18 +263,9 @@ namespace StickSlip
     // Open ends first: what is left are rings.
     for (const bool is_ring : {false, true})
       for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto        &nodes = neighbours[i].node;
-          const unsigned int n_neighbours =
-            (nodes[0] != numbers::invalid_unsigned_int) +
-            (nodes[1] != numbers::invalid_unsigned_int);
-          if (!visited[i] && n_neighbours == (is_ring ? 2 : 1))
-            append_parts(follow(neighbours, i, visited),
-                         sparsity,
-                         neighbours,
-                         place,
-                         lines);
-        }
+        if (!visited[i] && neighbours[i].number() == (is_ring ? 2 : 1))
+          append_parts(
+            follow(neighbours, i, visited), sparsity, neighbours, place, lines);
     return lines;
   }
 
