@@ -12,6 +12,7 @@
 
 #include "layered_slider.h"
 #include "linear_iterations.h"
+#include "stuck_faults.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -252,12 +253,107 @@ TEST(TNNMGLines, MakeSymmetricCycles)
 
 
 
+TEST(TNNMGLines, AreFactorisedAnewWhereSomethingChanges)
+{
+  const auto make = []() {
+    auto slider =
+      std::make_unique<LayeredSlider>(tall_cells(10),
+                                      std::array<unsigned int, 2>{{70, 2}},
+                                      2);
+    slider->problem.hierarchy().set_cycle_precision(
+      CyclePrecision::double_precision);
+    return slider;
+  };
+  const auto         lasting   = make();
+  LevelHierarchy<2> &hierarchy = lasting->problem.hierarchy();
+  for (const double probability : {0.5, 0., 1., 0.9, 0.2})
+    for (const double tau : {1e-2, 1e-4})
+      {
+        const auto fresh = make();
+        for (LayeredSlider *slider : {lasting.get(), fresh.get()})
+          slider->problem.combine(Newmark<2>().operator_coefficients(tau));
+        const NodeMask    active = truncate(hierarchy, probability);
+        const NodalVector b      = random_vector(hierarchy.finest(), active, 3);
+        NodalVector       x = b, y = b;
+        hierarchy.v_cycle(x, b);
+        truncate(fresh->problem.hierarchy(), probability);
+        fresh->problem.hierarchy().v_cycle(y, b);
+        const double size = y.linfty_norm();
+        x -= y;
+        EXPECT_LE(x.linfty_norm(), 1e-10 * size) << probability << ' ' << tau;
+      }
+}
+
+
+
+TEST(TNNMGLines, PassHangingNodes)
+{
+  // Rows next to the fault have fine cells in their left halves only, and so
+  // end at hanging nodes above and below.
+  std::vector<BodyGeometry<2>> bodies = {make_body<2>(1., tall_cells(10), 2),
+                                         make_body<2>(1., {{70, 2}}, 2)};
+  for (BodyGeometry<2> &body : bodies)
+    {
+      body.refine_where.set("0.01 - x");
+      body.refinement_rows = 2;
+    }
+  SpatialScene<2>      scene(bodies,
+                        {make_side<2>("0",
+                                      BodyMesh<2>::lower_side,
+                                      {{BoundaryType::fixed,
+                                             BoundaryType::fixed}})},
+                        {Material(), Material()},
+                        0.);
+  LevelHierarchy<2>   &hierarchy = scene.problem.hierarchy();
+  const NodeMask      &fixed     = hierarchy.finest().fixed;
+  const BlockSparsity &sparsity  = hierarchy.operators().matrix().sparsity();
+  std::vector<bool>    is_hanging(sparsity.n_rows(), false);
+  unsigned int         n_hanging = 0;
+  const MeshLevel<2>  &level     = scene.meshes.finest();
+  for (unsigned int b = 0; b < 2; ++b)
+    for (unsigned int i = 0; i < level.bodies[b]->node_positions().size(); ++i)
+      if (level.bodies[b]->bound_nodes().is_constrained(i))
+        {
+          is_hanging[level.node(b, i)] = true;
+          ++n_hanging;
+        }
+  EXPECT_GE(n_hanging, 100u);
+  std::size_t longest = 0;
+  for (const NodeLine &line :
+       find_strong_lines(sparsity,
+                         hierarchy.operators().terms(),
+                         fixed,
+                         hierarchy.finest().nonsmooth_nodes))
+    {
+      longest = std::max(longest, line.size());
+      for (const unsigned int i : line)
+        EXPECT_FALSE(is_hanging[i]);
+    }
+  // Finer ones and coarser ones along the fault.
+  EXPECT_GE(longest, 180u);
+
+  for (const double tau : {1e-1, 1e-3})
+    {
+      scene.problem.combine(Newmark<2>().operator_coefficients(tau));
+      for (const double probability : {0., 0.5, 1.})
+        {
+          const NodeMask active = truncate(hierarchy, probability);
+          EXPECT_LE(cg_iterations(hierarchy,
+                                  random_vector(hierarchy.finest(), active, 7)),
+                    14u)
+            << tau << ' ' << probability;
+        }
+    }
+}
+
+
+
 TEST(TNNMGLines, KeepTheNumberOfStepsForAllAspects)
 {
   // Fine cells as the faults of a run see them: of the size of the square ones
   // in one direction.
   std::vector<unsigned int> square;
-  for (const unsigned int aspect : {1, 5, 10, 20, 50})
+  for (const unsigned int aspect : {1, 3, 5, 10, 20, 50})
     {
       LayeredSlider slider(tall_cells(aspect), tall_cells(aspect), 2);
       std::vector<unsigned int> steps;
