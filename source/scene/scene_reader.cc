@@ -81,6 +81,7 @@ namespace StickSlip
         {"Shape", blocks_or_files},
         {"Shape axis", blocks_or_files},
         {"Strike", blocks_or_files},
+        {"Initial gap from mesh", blocks_or_files},
         {"Coarser mesh files", files},
         {"Length unit", files},
         {"Mesh group", files}};

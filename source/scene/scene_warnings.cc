@@ -119,6 +119,92 @@ namespace StickSlip
 
 
 
+    /** Names of the entries other than 'Contact' that two say differently. */
+    std::vector<std::string>
+    different_entries(const OpeningParameters &a, const OpeningParameters &b)
+    {
+      std::vector<std::string> names;
+      const auto add_if = [&names](const bool is_different, const char *name) {
+        if (is_different)
+          names.push_back(name);
+      };
+      add_if(a.tensile_strength.text() != b.tensile_strength.text(),
+             "Tensile strength");
+      add_if(a.cohesion.text() != b.cohesion.text(), "Cohesion");
+      add_if(a.bond_healing_time != b.bond_healing_time, "Bond healing time");
+      add_if(a.initial_gap.text() != b.initial_gap.text(), "Initial gap");
+      add_if(a.open_state != b.open_state, "State while open");
+      return names;
+    }
+
+
+
+    /** Entries on opening of a fault or region that keeps its sides together;
+     * @p others are those that it has if nothing is said. */
+    void
+    warn_of_bilateral_part(const FrictionParameters &friction,
+                           const OpeningParameters  &others,
+                           const std::string        &section,
+                           std::vector<std::string> &warnings)
+    {
+      for (const std::string &entry :
+           different_entries(friction.opening, others))
+        warnings.push_back(in_quotes(section + "/" + entry) +
+                           ": has no effect, since 'Contact' is 'bilateral'.");
+    }
+
+
+
+    void
+    warn_of_part_without_law(const FrictionParameters &friction,
+                             const std::string        &section,
+                             std::vector<std::string> &warnings)
+    {
+      warnings.push_back(
+        in_quotes(section + "/Contact") +
+        " = 'unilateral': has no effect, since a fault with 'Friction' = '" +
+        friction.kind().name + "' does not open.");
+    }
+
+
+
+    /** Regions have the entries of their fault where they say nothing else. */
+    void
+    warn_of_openings(const FaultParameters    &fault,
+                     std::vector<std::string> &warnings)
+    {
+      const auto has_no_law = [](const FrictionParameters &friction) {
+        return friction.has_prescribed_slip();
+      };
+      if (!fault.may_open())
+        warn_of_bilateral_part(fault,
+                               OpeningParameters(),
+                               fault.section(),
+                               warnings);
+      else if (fault.opening.may_open() && has_no_law(fault) &&
+               std::all_of(fault.regions.begin(),
+                           fault.regions.end(),
+                           [&](const FrictionRegion &region) {
+                             return has_no_law(region.friction);
+                           }))
+        warn_of_part_without_law(fault, fault.section(), warnings);
+
+      for (const FrictionRegion &region : fault.regions)
+        {
+          const std::string section =
+            fault.section() + "/Regions/" + region.name;
+          if (!region.friction.opening.may_open())
+            warn_of_bilateral_part(region.friction,
+                                   fault.opening,
+                                   section,
+                                   warnings);
+          else if (!fault.opening.may_open() && has_no_law(region.friction))
+            warn_of_part_without_law(region.friction, section, warnings);
+        }
+    }
+
+
+
     template <int dim>
     void
     warn_of_faults(const SceneParameters<dim> &scene,
@@ -127,7 +213,8 @@ namespace StickSlip
     {
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
-          const FaultParameters        &fault = scene.faults[f];
+          const FaultParameters &fault = scene.faults[f];
+          warn_of_openings(fault, warnings);
           const std::vector<Point<dim>> points =
             points_like_nodes(scene, f, meshes.faults[f].faces);
           const std::vector<FaultPart> parts = fault.parts(points);

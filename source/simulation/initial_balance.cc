@@ -6,6 +6,7 @@
 #include <stickslip/simulation/initial_balance.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace StickSlip
@@ -17,6 +18,22 @@ namespace StickSlip
 
 
 
+    /** True where nothing but friction can hold a node. */
+    template <int dim>
+    bool
+    needs_friction(const FaultNodes<dim>  &faults,
+                   const NodeLaws         &laws,
+                   const SystemState<dim> &state,
+                   const unsigned int      k)
+    {
+      return faults.in_contact(k) && !laws[k].is_prescribed &&
+             magnitude(state.slip_rate[k]) == 0. &&
+             (state.is_bonded.empty() || !state.is_bonded[k]) &&
+             k < state.balancing_traction.size();
+    }
+
+
+
     template <int dim>
     bool
     is_pressed(const FaultNodes<dim>  &faults,
@@ -24,11 +41,8 @@ namespace StickSlip
                const SystemState<dim> &state,
                const unsigned int      k)
     {
-      return faults.in_contact(k) && !laws[k].is_prescribed &&
-             state.normal_stress[k] > 0. &&
-             magnitude(state.slip_rate[k]) == 0. &&
-             (state.is_bonded.empty() || !state.is_bonded[k]) &&
-             k < state.balancing_traction.size();
+      return needs_friction(faults, laws, state, k) &&
+             state.normal_stress[k] > 0.;
     }
 
 
@@ -50,14 +64,19 @@ namespace StickSlip
                   const unsigned int      fault)
   {
     InitialBalance balance;
+    double         shear_force = 0., normal_force = 0.;
     for (unsigned int k = faults.first_of_fault()[fault];
          k < faults.first_of_fault()[fault + 1];
          ++k)
       {
+        if (!needs_friction(faults, laws, state, k))
+          continue;
+        const double traction = magnitude(state.balancing_traction[k]);
+        shear_force += faults.weights()[k] * traction;
+        normal_force += faults.weights()[k] * state.normal_stress[k];
         if (!is_pressed(faults, laws, state, k))
           continue;
-        const double ratio =
-          magnitude(state.balancing_traction[k]) / state.normal_stress[k];
+        const double ratio = traction / state.normal_stress[k];
         if (!balance.is_known || ratio > balance.greatest)
           {
             balance.greatest = ratio;
@@ -67,6 +86,8 @@ namespace StickSlip
           balance.is_known ? std::min(balance.least, ratio) : ratio;
         balance.is_known = true;
       }
+    balance.mean = normal_force > 0. ? shear_force / normal_force :
+                                       std::numeric_limits<double>::infinity();
     return balance;
   }
 
@@ -97,7 +118,11 @@ namespace StickSlip
         const unsigned int k     = balance.node;
         const FaultLaw    &law   = laws[k];
         const double       alpha = state.alpha.empty() ? 0. : state.alpha[k];
-        if (balance.greatest > coefficient(law, alpha, fast))
+        // Friction that does not grow with the slip rate lets single nodes
+        // slip, which their neighbours hold.
+        const double not_held =
+          law.friction->rate_scale() > 0. ? balance.greatest : balance.mean;
+        if (not_held > coefficient(law, alpha, fast))
           {
             text << "'" << scene.faults[f].section()
                  << "': at the start the shear stress is up to "

@@ -22,6 +22,11 @@ namespace StickSlip
   {
     double least = 0., greatest = 0.;
 
+    /** Sizes of shear forces over normal forces, both summed over the nodes and
+     * those that nothing presses together; infinite where the sum is tension.
+     */
+    double mean = 0.;
+
     /** The node of the greatest ratio, by its position among all slave nodes.
      */
     unsigned int node = 0;
