@@ -297,7 +297,7 @@ TEST(TNNMGLines, PassHangingNodes)
       body.refine_where.set("0.01 - x");
       body.refinement_rows = 2;
     }
-  SpatialScene<2>      scene(bodies,
+  SpatialScene<2>      scene(stack<2>(bodies),
                         {make_side<2>("0",
                                       BodyMesh<2>::lower_side,
                                       {{BoundaryType::fixed,

@@ -26,7 +26,7 @@ namespace StickSlip
     double       cells = 0., nodes = 0.;
     unsigned int levels = 1;
 
-    /** Greatest length of a cell over its least one, and the body of it;
+    /** Greatest length of a cell over its second one, and the body of it;
      * nothing is said of triangles and tetrahedra. */
     double       aspect_ratio   = 1.;
     unsigned int stretched_body = 0;
