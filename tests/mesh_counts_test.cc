@@ -218,6 +218,18 @@ TEST(MeshCounts, BodiesWithFewRefinementsWaitForTheirNeighbours)
       EXPECT_EQ(meshes.level(l).bodies[1]->triangulation().n_levels(),
                 l == 0 ? 1u : 2u);
     }
+  // A layer of fine cells is coarsened before its neighbours, for a level more.
+  const MeshHierarchy<2> layer(stack<2>({make_body<2>(1., {{10, 2}}, 4),
+                                         make_body<2>(0.003, {{333, 1}}, 1)}),
+                               MPI_COMM_WORLD);
+  ASSERT_EQ(layer.n_levels(), 6u);
+  for (unsigned int l = 0; l < 6; ++l)
+    {
+      EXPECT_EQ(layer.level(l).bodies[0]->triangulation().n_levels(),
+                std::min(l + 1, 5u));
+      EXPECT_EQ(layer.level(l).bodies[1]->triangulation().n_levels(),
+                l == 5 ? 2u : 1u);
+    }
   // A body that is twice as fine makes nobody wait.
   const MeshHierarchy<2> alike(stack<2>({make_body<2>(1., {{10, 2}}, 4),
                                          make_body<2>(1., {{10, 2}}, 3)}),

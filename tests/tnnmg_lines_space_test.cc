@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/multigrid/strong_lines.h>
 
 #include <iostream>
 
@@ -13,10 +14,10 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  /** Steps of conjugate gradients without friction, with all, half and none of
+  /** Steps of conjugate gradients without friction, with none, half and all of
    * the jumps truncated, for two step sizes. */
   std::vector<unsigned int>
-  steps(const std::array<unsigned int, 3> &cells)
+  steps(const std::array<unsigned int, 3> &cells, const bool has_lines)
   {
     LayeredSliderIn<3>               slider(cells, cells, 1);
     LevelHierarchy<3>               &hierarchy = slider.problem.hierarchy();
@@ -24,6 +25,12 @@ namespace
     std::mt19937                     engine(5);
     std::normal_distribution<double> normal;
     std::vector<unsigned int>        result;
+    EXPECT_EQ(find_strong_lines(hierarchy.operators().matrix().sparsity(),
+                                hierarchy.operators().terms(),
+                                hierarchy.finest().fixed,
+                                jumps)
+                .empty(),
+              !has_lines);
     for (const double tau : {1e-1, 1e-3})
       {
         slider.problem.combine(Newmark<3>().operator_coefficients(tau));
@@ -56,22 +63,16 @@ namespace
 
 
 
-TEST(TNNMGLines, AreAcrossFlatCellsAndAlongFibresInSpace)
+TEST(TNNMGLines, AreAcrossFlatCellsInSpace)
 {
   // Bodies of 5 m x 5 m x 1 m.
-  const std::vector<unsigned int> cubes = steps({{5, 5, 1}});
+  const std::vector<unsigned int> cubes = steps({{5, 5, 1}}, false);
   for (const std::array<unsigned int, 3> &cells :
-       std::vector<std::array<unsigned int, 3>>{{{2, 2, 2}},
-                                                {{2, 2, 4}},
-                                                {{2, 2, 8}},
-                                                {{25, 5, 1}},
-                                                {{50, 5, 1}},
-                                                {{10, 10, 1}},
-                                                {{25, 25, 1}},
-                                                {{25, 2, 2}}})
+       std::vector<std::array<unsigned int, 3>>{
+         {{2, 2, 4}}, {{2, 2, 8}}, {{25, 5, 1}}, {{50, 5, 1}}})
     {
-      const std::vector<unsigned int> n = steps(cells);
+      const std::vector<unsigned int> n = steps(cells, true);
       for (unsigned int k = 0; k < n.size(); ++k)
-        EXPECT_LE(n[k], 2 * cubes[k]);
+        EXPECT_LE(10 * n[k], 16 * cubes[k]);
     }
 }

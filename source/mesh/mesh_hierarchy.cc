@@ -88,18 +88,6 @@ namespace StickSlip
 
 
 
-    /** The number of times that a mesh of trees can be coarsened; for
-     * tetrahedra one, if at all. */
-    template <int dim>
-    unsigned int
-    n_coarsenings(const BodyMesh<dim> &body)
-    {
-      return std::max<unsigned int>(body.triangulation().n_levels() - 1,
-                                    body.can_be_coarsened() ? 1 : 0);
-    }
-
-
-
     /** The smallest size of a face (in three dimensions the root of its area)
      * on one of these sides, infinite if there is none. */
     template <int dim>
@@ -135,10 +123,12 @@ namespace StickSlip
 
     /**
      * The meshes of the next coarser level. Those that have much larger faces
-     * than their neighbours across a fault, and few levels, are kept until the
-     * neighbours are as coarse, if that takes no more levels: what the nodes of
-     * a coarser side do is seen in the other body at their distance, and no
-     * other level than that one smoothes it there.
+     * than a neighbour across a fault are kept until the neighbour is as coarse
+     * or as coarse as it can be. What the nodes of a coarser side do is seen in
+     * the finer body at their distance, and no other level than that one
+     * smoothes it there; through a thin layer they are tied to the nodes of its
+     * other side, which is seen where the layer is a cell thick and they are
+     * all there.
      */
     template <int dim>
     Bodies<dim>
@@ -150,8 +140,7 @@ namespace StickSlip
           smallest_face<dim>(*bodies[b], topology.sides_at_faults(b)));
       const auto can_wait = [&](const unsigned int b) {
         for (const unsigned int other : neighbours(topology, b))
-          if (n_coarsenings(*bodies[other]) > n_coarsenings(*bodies[b]) &&
-              face[other] < 0.49 * face[b])
+          if (bodies[other]->can_be_coarsened() && face[other] < 0.49 * face[b])
             return true;
         return false;
       };
