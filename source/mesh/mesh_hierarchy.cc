@@ -88,6 +88,18 @@ namespace StickSlip
 
 
 
+    /** The number of times that a mesh of trees can be coarsened; for
+     * tetrahedra one, if at all. */
+    template <int dim>
+    unsigned int
+    n_coarsenings(const BodyMesh<dim> &body)
+    {
+      return std::max<unsigned int>(body.triangulation().n_levels() - 1,
+                                    body.can_be_coarsened() ? 1 : 0);
+    }
+
+
+
     /** The smallest size of a face (in three dimensions the root of its area)
      * on one of these sides, infinite if there is none. */
     template <int dim>
@@ -140,8 +152,15 @@ namespace StickSlip
           smallest_face<dim>(*bodies[b], topology.sides_at_faults(b)));
       const auto can_wait = [&](const unsigned int b) {
         for (const unsigned int other : neighbours(topology, b))
-          if (bodies[other]->can_be_coarsened() && face[other] < 0.49 * face[b])
-            return true;
+          {
+            // If it takes a level more, from four times larger faces on.
+            const bool is_deeper =
+              n_coarsenings(*bodies[other]) > n_coarsenings(*bodies[b]);
+            const double ratio = is_deeper ? 0.49 : 0.26;
+            if (bodies[other]->can_be_coarsened() &&
+                face[other] < ratio * face[b])
+              return true;
+          }
         return false;
       };
       Bodies<dim> coarser = bodies;
