@@ -254,6 +254,44 @@ TEST(AdaptiveMeshes, EstimatedErrorIsTheTrueOne)
 
 
 
+/** A patch that weakens in bodies without ends: hardly more cells
+ * and the same error beside the joint as in the middle. */
+TEST(AdaptiveMeshes, BodiesWithoutEndsHaveNoPlaces)
+{
+  const auto adapted = [](const double centre) {
+    const std::string  x     = std::to_string(centre);
+    SceneParameters<2> scene = read_scene<2>(two_blocks(
+      "  set Coarse cells = 20, 2\n  set Refinement passes = 0\n",
+      "subsection Faults\n subsection fault\n  set a = 0.02\n  set b = 0.01\n"
+      "  subsection Regions\n   set Names = patch\n   subsection patch\n"
+      "    set Where = 0.5 - abs(x - " +
+        x +
+        ")\n    set b = 0.03\n   end\n  end\n end\nend\n"
+        "subsection Boundary conditions\n set Periodic along x = true\nend\n"
+        "subsection Mesh\n set Accuracy = 0.03\nend\n"));
+    std::ostringstream report;
+    adapt_meshes(scene, no_limit, report);
+    const Simulation<2> simulation(scene, MPI_COMM_SELF);
+    const std::string   text  = report.str();
+    const std::size_t   place = text.find("slip of fault ");
+    EXPECT_NE(place, std::string::npos) << text;
+    unsigned int n_cells = 0;
+    for (const auto &body : simulation.meshes().finest().bodies)
+      n_cells += body->triangulation().n_active_cells();
+    return std::make_pair(n_cells, std::stod(text.substr(place + 14)));
+  };
+  const auto middle = adapted(0.), right = adapted(1.75), left = adapted(-1.75);
+  EXPECT_GT(middle.first, 400u);
+  // Cells on both sides of the joint are refined if one is.
+  EXPECT_GE(right.first, middle.first);
+  EXPECT_LT(right.first, 1.03 * middle.first);
+  EXPECT_EQ(left.first, right.first);
+  EXPECT_NEAR(right.second, middle.second, 0.02 * middle.second);
+  EXPECT_NEAR(left.second, right.second, 1e-6 * right.second);
+}
+
+
+
 TEST(AdaptiveMeshes, AMeshIsWrittenAndReadAgain)
 {
   const TemporaryFolder folder;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
+#include <stickslip/mesh/refined_cells.h>
 
 #include "stacked_bodies.h"
 
@@ -134,6 +135,53 @@ TEST(PeriodicMesh, SidesAreOne)
 TEST(PeriodicMesh, SidesAreOneInThreeDimensions)
 {
   expect_endless_hierarchy<3>();
+}
+
+
+
+namespace
+{
+  /** Cells at one end of a body are refined again and again. */
+  template <int dim>
+  void
+  expect_images_of_refined_end(const double end)
+  {
+    BodyGeometry<dim> geometry   = endless_body<dim>();
+    geometry.refinement_passes   = 0;
+    geometry.uniform_refinements = 1;
+    CoarseBody<dim> body         = coarse_brick(geometry);
+    for (unsigned int pass = 0; pass < 3; ++pass)
+      {
+        const BodyMesh<dim> mesh(body, {});
+        body.refined_cells = refined_cells(mesh.triangulation());
+        for (const auto &cell : mesh.triangulation().active_cell_iterators())
+          for (const auto v : cell->vertex_indices())
+            if (cell->vertex(v)[0] == end && cell->vertex(v)[dim - 1] == 0.)
+              body.refined_cells.insert(cell->id());
+      }
+    auto mesh =
+      std::make_unique<const BodyMesh<dim>>(body,
+                                            std::set<types::boundary_id>());
+    while (true)
+      {
+        expect_images(*mesh);
+        expect_endless_sides(*mesh, BodyMesh<dim>::upper_side);
+        if (!mesh->can_be_coarsened())
+          break;
+        mesh = std::make_unique<const BodyMesh<dim>>(*mesh);
+      }
+  }
+} // namespace
+
+
+
+TEST(PeriodicMesh, EitherEndMayBeRefined)
+{
+  for (const double end : {-1., 1.})
+    {
+      expect_images_of_refined_end<2>(end);
+      expect_images_of_refined_end<3>(end);
+    }
 }
 
 

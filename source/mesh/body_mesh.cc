@@ -63,7 +63,7 @@ namespace StickSlip
             any |= flag_where_grandchildren<dim>(cell, finer_cell);
           if (!any)
             return;
-          mesh.execute_coarsening_and_refinement();
+          refine_flagged(mesh);
         }
     }
 
@@ -122,7 +122,7 @@ namespace StickSlip
               any = true;
             }
       if (any)
-        mesh.execute_coarsening_and_refinement();
+        refine_flagged(mesh);
     }
   } // namespace
 

@@ -27,6 +27,47 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** Flag the cells across a joint from flagged ones; returns true if there
+     * are new ones. */
+    template <int dim>
+    bool
+    flag_images(const Triangulation<dim> &mesh)
+    {
+      bool any = false;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->refine_flag_set())
+          for (const unsigned int face : cell->face_indices())
+            if (cell->has_periodic_neighbor(face))
+              {
+                const auto image = cell->periodic_neighbor(face);
+                if (image->is_active() && !image->refine_flag_set() &&
+                    image->level() <= cell->level())
+                  {
+                    image->set_refine_flag();
+                    any = true;
+                  }
+              }
+      return any;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  refine_flagged(Triangulation<dim> &mesh)
+  {
+    if (!mesh.get_periodic_face_map().empty())
+      do
+        mesh.prepare_coarsening_and_refinement();
+      while (flag_images(mesh));
+    mesh.execute_coarsening_and_refinement();
+  }
+
+
+
   template <int dim>
   void
   refine_listed(const std::set<CellId> &list, Triangulation<dim> &mesh)
@@ -42,7 +83,7 @@ namespace StickSlip
             }
         if (!any)
           return;
-        mesh.execute_coarsening_and_refinement();
+        refine_flagged(mesh);
       }
   }
 
@@ -98,8 +139,10 @@ namespace StickSlip
 
 
 
-  template decltype(refined_cells<2>) refined_cells<2>;
-  template decltype(refined_cells<3>) refined_cells<3>;
-  template decltype(refine_listed<2>) refine_listed<2>;
-  template decltype(refine_listed<3>) refine_listed<3>;
+  template decltype(refined_cells<2>)  refined_cells<2>;
+  template decltype(refined_cells<3>)  refined_cells<3>;
+  template decltype(refine_flagged<2>) refine_flagged<2>;
+  template decltype(refine_flagged<3>) refine_flagged<3>;
+  template decltype(refine_listed<2>)  refine_listed<2>;
+  template decltype(refine_listed<3>)  refine_listed<3>;
 } // namespace StickSlip

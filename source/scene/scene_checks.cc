@@ -239,22 +239,6 @@ namespace StickSlip
 
 
 
-    /** Cells of periodic bodies are refined at faults only. */
-    template <int dim>
-    void
-    check_periodic_accuracy(const SceneParameters<dim> &scene)
-    {
-      const double wanted = scene.mesh_accuracy.relative_error;
-      if (wanted > 0. &&
-          std::count(scene.periodic.begin(), scene.periodic.end(), true) > 0)
-        throw InputError(naming("Mesh/Accuracy", wanted) +
-                         ": must be 0 where bodies are periodic; 'Refinement "
-                         "passes' refine them at the faults.");
-    }
-
-
-
-    /** Check that there is a value of this unit at each point and time. */
     template <int dim>
     void
     check_expression(const std::string             &path,
@@ -559,7 +543,6 @@ namespace StickSlip
     if (scene.mesh == nullptr)
       {
         check_bodies(scene);
-        check_periodic_accuracy(scene);
       }
     else
       {

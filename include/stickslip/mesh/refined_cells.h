@@ -21,6 +21,14 @@ namespace StickSlip
   std::set<CellId>
   refined_cells(const Triangulation<dim> &mesh);
 
+  /** Refine the flagged cells of a mesh, and what has to be refined for them:
+   * neighbours differ by one refinement at most, and where sides are joined,
+   * cells across the joint do not differ, so that a node on one side has an
+   * image on the other. */
+  template <int dim>
+  void
+  refine_flagged(Triangulation<dim> &mesh);
+
   /** Refine the cells of a list and what has to be refined for them, since
    * neighbours differ by one refinement at most. Cells that are not there are
    * none of the list. */
