@@ -18,7 +18,8 @@ namespace StickSlip
 {
   namespace
   {
-    // Aspect ratios from which on doc/hard_cases.md has many iterations.
+    // Cells in space that are so much longer along one axis than along both
+    // others take many iterations; other flat and tall ones do not.
     constexpr double largest_aspect_ratio = 10.;
 
     constexpr double nearly_incompressible = 0.45;
@@ -402,12 +403,12 @@ namespace StickSlip
                    const MeshEstimate         &meshes,
                    std::vector<std::string>   &warnings)
     {
-      if (meshes.aspect_ratio > largest_aspect_ratio)
+      if (dim == 3 && meshes.aspect_ratio > largest_aspect_ratio)
         warnings.push_back(
           "'" + scene.bodies[meshes.stretched_body].section() +
           "': cells are up to " + rounded_count(meshes.aspect_ratio) +
-          " times as long as wide; from about ten on, steps take many more "
-          "iterations.");
+          " times as long along one axis as along both others; from about ten "
+          "on, steps take many more iterations.");
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         {
           const BodyParameters<dim> &body = scene.bodies[b];
