@@ -180,19 +180,16 @@ namespace StickSlip
     warn_of_openings(const FaultParameters    &fault,
                      std::vector<std::string> &warnings)
     {
-      const auto has_no_law = [](const FrictionParameters &friction) {
-        return friction.has_prescribed_slip();
-      };
       if (!fault.may_open())
         warn_of_bilateral_part(fault,
                                OpeningParameters(),
                                fault.section(),
                                warnings);
-      else if (fault.opening.may_open() && has_no_law(fault) &&
+      else if (fault.opening.may_open() && fault.has_prescribed_slip() &&
                std::all_of(fault.regions.begin(),
                            fault.regions.end(),
-                           [&](const FrictionRegion &region) {
-                             return has_no_law(region.friction);
+                           [](const FrictionRegion &region) {
+                             return region.friction.has_prescribed_slip();
                            }))
         warn_of_part_without_law(fault, fault.section(), warnings);
 
@@ -205,7 +202,8 @@ namespace StickSlip
                                    fault.opening,
                                    section,
                                    warnings);
-          else if (!fault.opening.may_open() && has_no_law(region.friction))
+          else if (!fault.opening.may_open() &&
+                   region.friction.has_prescribed_slip())
             warn_of_part_without_law(region.friction, section, warnings);
         }
     }
