@@ -111,6 +111,20 @@ SCENES = {
             "Faults/main/Regions/middle/a": "0.03",
         },
     ),
+    # The fault goes on beyond its part with friction.
+    "half space": changed(
+        PLANE,
+        {
+            "Faults/main/Initial slip rate along x": "1e-9",
+            "Faults/main/Initial shear stress along x": "1e3",
+            "Faults/main/Initial state": None,
+            "Faults/main/Reference friction coefficient": "0.6",
+            "Faults/main/Regions/Names": "beyond",
+            "Faults/main/Regions/beyond/Where": "abs(x) - 0.05",
+            "Faults/main/Regions/beyond/Friction": "prescribed slip rate",
+            "Faults/main/Regions/beyond/Slip rate along x": "1e-9",
+        },
+    ),
 }
 
 

@@ -282,6 +282,58 @@ TEST(ExplicitSteps, BodiesFollowForThoseWhoLook)
 
 
 
+// Loads that vary, prescribed slip and driven sides all have their parts.
+TEST(ExplicitSteps, TellValuesOfBodiesThatHaveNotFollowed)
+{
+  SteppingScene scene(creeping_bodies,
+                      without_viscosity +
+                        Settings{explicit_steps,
+                                 "Faults/fault/Regions/Names=part",
+                                 "Faults/fault/Regions/part/Where=x - 0.3",
+                                 "Faults/fault/Regions/part/"
+                                 "Friction=prescribed slip rate",
+                                 "Faults/fault/Regions/part/"
+                                 "Slip rate along x=5e-4",
+                                 "Boundary conditions/Sides="
+                                 "lower bottom, upper top, upper right",
+                                 "Boundary conditions/upper right/"
+                                 "x condition=traction",
+                                 "Boundary conditions/upper right/x value=1e3",
+                                 "Boundary conditions/upper right/"
+                                 "Ramp length=2"});
+  scene.advance_until(1.2);
+  ASSERT_FALSE(scene.state.is_complete);
+  // All entries one by one, and a mean.
+  std::vector<NodalFunctional> functionals(1);
+  const unsigned int           n = scene.state.displacement.size();
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      functionals.push_back({{i, 1.}});
+      functionals[0].emplace_back(i, 1. / n);
+    }
+  const FunctionalValues values =
+    scene.controller->body_values(scene.state, functionals);
+  const NodalVector before = scene.state.displacement;
+  scene.controller->complete(scene.state);
+  double change = 0.;
+  for (unsigned int i = 0; i < functionals.size(); ++i)
+    {
+      const double u = part_of_value(functionals[i], scene.state.displacement),
+                   v = part_of_value(functionals[i], scene.state.velocity);
+      EXPECT_NEAR(values.of_displacement[i],
+                  u,
+                  1e-11 * scene.state.displacement.linfty_norm());
+      EXPECT_NEAR(values.of_velocity[i],
+                  v,
+                  1e-11 * scene.state.velocity.linfty_norm());
+      change =
+        std::max(change, std::abs(part_of_value(functionals[i], before) - u));
+    }
+  EXPECT_GT(change, 1e-3 * scene.state.displacement.linfty_norm());
+}
+
+
+
 // The local error is of sixth order, its estimate of fifth.
 TEST(ExplicitSteps, AreOfFifthOrder)
 {

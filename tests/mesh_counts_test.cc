@@ -57,13 +57,18 @@ namespace
 
 
 
-  /** Each level is one refinement coarser, until nothing is left to coarsen. */
+  /** Each level is one refinement coarser, until nothing is left to coarsen,
+   * but for bodies that wait for deeper ones. */
   template <int dim>
   void
   expect_levels_down_to_the_coarse_cells(
     const std::vector<BodyGeometry<dim>> &bodies)
   {
     const MeshHierarchy<dim> meshes(bodies, MPI_COMM_WORLD);
+    const auto               n_refinements = [&](const unsigned int b) {
+      return bodies[b].uniform_refinements + bodies[b].refinement_passes;
+    };
+    unsigned int most = 0;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const BodyMesh<dim> &coarsest = *meshes.level(0).bodies[b];
@@ -73,15 +78,24 @@ namespace
           n_coarse_cells *= n;
         EXPECT_EQ(coarsest.triangulation().n_active_cells(), n_coarse_cells);
 
-        const unsigned int n_refinements =
-          bodies[b].uniform_refinements + bodies[b].refinement_passes;
-        for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+        EXPECT_EQ(meshes.finest().bodies[b]->triangulation().n_levels(),
+                  1 + n_refinements(b));
+        most = std::max(most, n_refinements(b));
+        for (unsigned int l = 1; l < meshes.n_levels(); ++l)
           {
-            const unsigned int from_finest = meshes.n_levels() - 1 - l;
-            EXPECT_EQ(meshes.level(l).bodies[b]->triangulation().n_levels(),
-                      1 + n_refinements - std::min(n_refinements, from_finest));
+            const auto n_levels_of = [&](const unsigned int body) {
+              return meshes.level(l).bodies[body]->triangulation().n_levels();
+            };
+            const unsigned int n        = n_levels_of(b);
+            bool               may_wait = n == 1;
+            for (unsigned int other = 0; other < bodies.size(); ++other)
+              may_wait = may_wait || n_levels_of(other) > n;
+            const unsigned int coarser =
+              meshes.level(l - 1).bodies[b]->triangulation().n_levels();
+            EXPECT_TRUE(coarser + 1 == n || (coarser == n && may_wait));
           }
       }
+    EXPECT_EQ(meshes.n_levels(), 1 + most);
   }
 
 
@@ -200,6 +214,41 @@ TEST(MeshCounts, HierarchiesEndAtTheCoarseMesh)
     expect_levels_down_to_the_coarse_cells<2>(bodies);
   for (const auto &bodies : scenes<3>())
     expect_levels_down_to_the_coarse_cells<3>(bodies);
+}
+
+
+
+TEST(MeshCounts, BodiesWithFewRefinementsWaitForTheirNeighbours)
+{
+  // Faces of 0.5 m at first, halved four times and once: the coarser body waits
+  // until the finer one's are half of its own.
+  const MeshHierarchy<2> meshes(stack<2>({make_body<2>(1., {{10, 2}}, 4),
+                                          make_body<2>(1., {{10, 2}}, 1)}),
+                                MPI_COMM_WORLD);
+  ASSERT_EQ(meshes.n_levels(), 5u);
+  for (unsigned int l = 0; l < 5; ++l)
+    {
+      EXPECT_EQ(meshes.level(l).bodies[0]->triangulation().n_levels(), l + 1);
+      EXPECT_EQ(meshes.level(l).bodies[1]->triangulation().n_levels(),
+                l <= 1 ? 1u : 2u);
+    }
+  // A layer of fine cells is coarsened before its neighbours, for a level more.
+  const MeshHierarchy<2> layer(stack<2>({make_body<2>(1., {{10, 2}}, 4),
+                                         make_body<2>(0.003, {{333, 1}}, 1)}),
+                               MPI_COMM_WORLD);
+  ASSERT_EQ(layer.n_levels(), 6u);
+  for (unsigned int l = 0; l < 6; ++l)
+    {
+      EXPECT_EQ(layer.level(l).bodies[0]->triangulation().n_levels(),
+                std::min(l + 1, 5u));
+      EXPECT_EQ(layer.level(l).bodies[1]->triangulation().n_levels(),
+                l == 5 ? 2u : 1u);
+    }
+  // A body that is twice as fine makes nobody wait.
+  const MeshHierarchy<2> alike(stack<2>({make_body<2>(1., {{10, 2}}, 4),
+                                         make_body<2>(1., {{10, 2}}, 3)}),
+                               MPI_COMM_WORLD);
+  EXPECT_EQ(alike.level(3).bodies[1]->triangulation().n_levels(), 3u);
 }
 
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "antiplane_scenes.h"
 #include "parallel_comparison.h"
 #include "shared_and_alone.h"
 #include "stepping_scene.h"
@@ -18,7 +21,53 @@ namespace
                                    "Bodies/upper/Material/Bulk viscosity=0",
                                    "Time/Inertia=quasi-dynamic",
                                    "Time/Step size control=Runge-Kutta"};
+
+
+
+  /** Times at which the largest slip rate passes twice that of the driven side,
+   * s. */
+  std::vector<double>
+  event_times(const MPI_Comm communicator)
+  {
+    const TemporaryFolder folder;
+    Simulation<2, 1>      simulation(
+      SceneReader(folder.write("scene.prm", antiplane_bodies),
+                  {"Time/Step size control=Runge-Kutta", "Time/End time=3"})
+        .read<2>(),
+      communicator);
+    simulation.set_up();
+    const double        threshold = 8e-4;
+    std::vector<double> times;
+    double              time_before = 0., rate_before = 0.;
+    while (!simulation.is_finished())
+      {
+        simulation.advance();
+        double rate = 0.;
+        for (const auto &v : simulation.state().slip_rate)
+          rate = std::max(rate, std::abs(v[0]));
+        const double time = simulation.state().time;
+        if (rate_before > 0. && rate_before <= threshold && rate > threshold)
+          times.push_back(time_before + std::log(threshold / rate_before) /
+                                          std::log(rate / rate_before) *
+                                          (time - time_before));
+        time_before = time;
+        rate_before = rate;
+      }
+    return times;
+  }
 } // namespace
+
+
+
+TEST(ParallelExplicit, EventsComeAtTheSameTime)
+{
+  const std::vector<double> shared = event_times(MPI_COMM_WORLD),
+                            alone  = event_times(MPI_COMM_SELF);
+  ASSERT_GE(alone.size(), 1u);
+  ASSERT_EQ(shared.size(), alone.size());
+  for (unsigned int i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(shared[i], alone[i], 1e-6 * alone[i]);
+}
 
 
 

@@ -43,9 +43,7 @@ namespace StickSlip::Tests
 
 
   /** The creeping bodies at a thousandfold speed: they slide by half a metre,
-   * several faces and, on several processes, past the parts of others. Waves
-   * bring far more than friction to a fault that so little presses, and are not
-   * to be followed. */
+   * several faces and, on several processes, past the parts of others. */
   inline SceneParameters<2>
   fast_sliding_scene(const Settings &more)
   {
@@ -56,8 +54,7 @@ namespace StickSlip::Tests
                            "Faults/fault/Normal stress function=1e3",
                            "Time/End time=2.1",
                            "Time/Largest step=0.05",
-                           "Time/Tolerance=1e-3",
-                           "Time/Body tolerance=1e9"};
+                           "Time/Tolerance=1e-3"};
     return read_scene(creeping_bodies, fast + more);
   }
 

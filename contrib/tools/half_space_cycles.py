@@ -3,11 +3,11 @@
 # Copyright (C) 2026 by the stickslip authors
 """BP1, BP2 and BP3 of the SEAS project by boundary elements, without a mesh.
 
-Usage: half_space_cycles.py [--dip D] [--slip L] [--cell M] [--years Y] [--tolerance T]
-                            [--check]
+Usage: half_space_cycles.py [--dip D [--normal]] [--slip L] [--cell M] [--years Y]
+                            [--tolerance T] [--check]
 
-A fault in a half-space slips out of the plane or, with --dip D, in it, as a thrust that
-dips by D degrees. Slip s is constant in each of the cells of M metres down to 40 km, and
+A fault in a half-space slips out of the plane or, with --dip D, in it, as a thrust or
+normal fault that dips by D degrees. Slip s is constant in each of the cells of M metres down to 40 km, and
 Vp t below, so that the stresses at their middles are
 
     tau = tau0 + K (s - Vp t) = sigma_n f(V, theta) + eta V,
@@ -129,9 +129,9 @@ def edge_dislocation(z, z0, b):
 
 
 class DippingFault(Fault):
-    """A thrust in plane strain."""
+    """A thrust or, with the other sense of slip, a normal fault in plane strain."""
 
-    def __init__(self, cell, length, dip):
+    def __init__(self, cell, length, dip, is_normal=False):
         super().__init__(cell, length)
         down = np.exp(-1j * np.radians(dip))
         t, n = np.array([down.real, down.imag]), np.array([-down.imag, down.real])
@@ -143,9 +143,9 @@ class DippingFault(Fault):
             shear[:, j] = (t[0] * n[0] * xx + t[1] * n[1] * yy
                            + (t[0] * n[1] + t[1] * n[0]) * xy)
             pressure[:, j] = -(n[0] ** 2 * xx + n[1] ** 2 * yy + 2. * n[0] * n[1] * xy)
-        # Slip of a thrust is along -t.
+        # Slip of a thrust is along -t, of a normal fault along t.
         self.stiffness = np.diff(shear)
-        self.pressure = -np.diff(pressure)
+        self.pressure = np.diff(pressure) if is_normal else -np.diff(pressure)
 
     def normal_stress(self, deficit):
         return SIGMA + self.pressure @ deficit
@@ -199,6 +199,7 @@ def main():
     parser.add_argument("--tolerance", type=float, default=1e-4)
     parser.add_argument("--slip", type=float, default=0.008)
     parser.add_argument("--dip", type=float)
+    parser.add_argument("--normal", action="store_true")
     parser.add_argument("--check", action="store_true")
     given = parser.parse_args()
 
@@ -228,7 +229,7 @@ def main():
                         and np.diag(upright.stiffness).max() < 0.)
         return 0 if as_described else 1
 
-    fault = (DippingFault(given.cell, given.slip, given.dip) if given.dip
+    fault = (DippingFault(given.cell, given.slip, given.dip, given.normal) if given.dip
              else Fault(given.cell, given.slip))
     times, rates = simulate(fault, given.years * YEAR, given.tolerance)
     starts, peaks = find_events(times, rates)

@@ -168,6 +168,23 @@ namespace StickSlip
         for (int c = 0; c < n_components; ++c)
           x[first + c] = s[c];
       }
+
+
+
+      /** s = b_i - sum for one row i. */
+      template <int n_components, typename Number>
+      inline void
+      subtract(const RowSum<n_components, Number> &sum,
+               const unsigned int                  i,
+               const Number                       *b,
+               Number                             *s)
+      {
+        Number values[n_components];
+        sum.get(values);
+        for (int c = 0; c < n_components; ++c)
+          s[c] =
+            b[static_cast<unsigned long>(i) * n_components + c] - values[c];
+      }
     } // namespace
 
 
@@ -251,7 +268,68 @@ namespace StickSlip
 
 
 
+    template <int n_components, typename Number>
+    void
+    remainder_below(const Triangle<Number> &lower,
+                    const unsigned int     *rows,
+                    const unsigned int      n,
+                    const Number           *b,
+                    const Number           *x,
+                    Number                 *s)
+    {
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          RowSum<n_components, Number> sum;
+          add_row(sum, lower, rows[k], x);
+          subtract(sum,
+                   rows[k],
+                   b,
+                   s + static_cast<unsigned long>(k) * n_components);
+        }
+    }
+
+
+
+    template <int n_components, typename Number>
+    void
+    remainder_beside(const Triangle<Number> &lower,
+                     const Triangle<Number> &upper,
+                     const unsigned int     *rows,
+                     const unsigned int      n,
+                     const Number           *b,
+                     const Number           *x,
+                     Number                 *s)
+    {
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          RowSum<n_components, Number> sum;
+          add_row(sum, upper, rows[k], x);
+          add_row(sum, lower, rows[k], x);
+          subtract(sum,
+                   rows[k],
+                   b,
+                   s + static_cast<unsigned long>(k) * n_components);
+        }
+    }
+
+
+
 #define STICKSLIP_INSTANTIATE(n_components, Number)                            \
+  template void remainder_below<n_components, Number>(                         \
+    const Triangle<Number> &,                                                  \
+    const unsigned int *,                                                      \
+    const unsigned int,                                                        \
+    const Number *,                                                            \
+    const Number *,                                                            \
+    Number *);                                                                 \
+  template void remainder_beside<n_components, Number>(                        \
+    const Triangle<Number> &,                                                  \
+    const Triangle<Number> &,                                                  \
+    const unsigned int *,                                                      \
+    const unsigned int,                                                        \
+    const Number *,                                                            \
+    const Number *,                                                            \
+    Number *);                                                                 \
   template void sweep_from_zero<n_components, Number>(                         \
     const Triangle<Number> &,                                                  \
     const Number *,                                                            \

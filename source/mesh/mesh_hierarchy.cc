@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 namespace StickSlip
 {
@@ -86,6 +88,90 @@ namespace StickSlip
 
 
 
+    /** The number of times that a mesh of trees can be coarsened; for
+     * tetrahedra one, if at all. */
+    template <int dim>
+    unsigned int
+    n_coarsenings(const BodyMesh<dim> &body)
+    {
+      return std::max<unsigned int>(body.triangulation().n_levels() - 1,
+                                    body.can_be_coarsened() ? 1 : 0);
+    }
+
+
+
+    /** The smallest size of a face (in three dimensions the root of its area)
+     * on one of these sides, infinite if there is none. */
+    template <int dim>
+    double
+    smallest_face(const BodyMesh<dim>                &body,
+                  const std::set<types::boundary_id> &sides)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const auto &face : body.triangulation().active_face_iterators())
+        if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
+          smallest =
+            std::min(smallest, std::pow(face->measure(), 1. / (dim - 1)));
+      return smallest;
+    }
+
+
+
+    /** The bodies across the faults of a body. */
+    std::set<unsigned int>
+    neighbours(const FaultTopology &topology, const unsigned int body)
+    {
+      std::set<unsigned int> result;
+      for (const Fault &fault : topology.faults())
+        for (const unsigned int s : {0, 1})
+          for (const BodySide &here : fault.sides[s])
+            if (here.body == body)
+              for (const BodySide &there : fault.sides[1 - s])
+                result.insert(there.body);
+      return result;
+    }
+
+
+
+    /**
+     * The meshes of the next coarser level. Those that have much larger faces
+     * than a neighbour across a fault are kept until the neighbour is as coarse
+     * or as coarse as it can be. What the nodes of a coarser side do is seen in
+     * the finer body at their distance, and no other level than that one
+     * smoothes it there; through a thin layer they are tied to the nodes of its
+     * other side, which is seen where the layer is a cell thick and they are
+     * all there.
+     */
+    template <int dim>
+    Bodies<dim>
+    coarsened_once(const Bodies<dim> &bodies, const FaultTopology &topology)
+    {
+      std::vector<double> face;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        face.push_back(
+          smallest_face<dim>(*bodies[b], topology.sides_at_faults(b)));
+      const auto can_wait = [&](const unsigned int b) {
+        for (const unsigned int other : neighbours(topology, b))
+          {
+            // If it takes a level more, from four times larger faces on.
+            const bool is_deeper =
+              n_coarsenings(*bodies[other]) > n_coarsenings(*bodies[b]);
+            const double ratio = is_deeper ? 0.49 : 0.26;
+            if (bodies[other]->can_be_coarsened() &&
+                face[other] < ratio * face[b])
+              return true;
+          }
+        return false;
+      };
+      Bodies<dim> coarser = bodies;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if (bodies[b]->can_be_coarsened() && !can_wait(b))
+          coarser[b] = std::make_shared<BodyMesh<dim>>(*bodies[b]);
+      return coarser;
+    }
+
+
+
     template <int dim>
     std::vector<CoarseBody<dim>>
     coarse_bricks(const std::vector<BodyGeometry<dim>> &geometries)
@@ -157,17 +243,10 @@ namespace StickSlip
       meshes[0].push_back(
         std::make_shared<BodyMesh<dim>>(coarse_bodies[i],
                                         topology.sides_at_faults(i)));
-    const auto can_be_coarsened = [](const auto &body) {
-      return body->can_be_coarsened();
-    };
-    while (
-      std::any_of(meshes.back().begin(), meshes.back().end(), can_be_coarsened))
-      {
-        meshes.push_back(meshes.back());
-        for (auto &body : meshes.back())
-          if (body->can_be_coarsened())
-            body = std::make_shared<BodyMesh<dim>>(*body);
-      }
+    for (Bodies<dim> coarser = coarsened_once(meshes.back(), topology);
+         coarser != meshes.back();
+         coarser = coarsened_once(meshes.back(), topology))
+      meshes.push_back(coarser);
     // Coarser cells are for all bodies, whose sides shall go on to fit.
     while (
       std::all_of(meshes.back().begin(),

@@ -4,25 +4,58 @@
 #include <stickslip/algebra/masked_entries.h>
 #include <stickslip/multigrid/block_gauss_seidel.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
+  namespace
+  {
+    /** The lines and all other nodes, as lines of one node, in the order of
+     * their first nodes. */
+    std::vector<NodeLine>
+    with_single_nodes(std::vector<NodeLine> lines, const unsigned int n_nodes)
+    {
+      std::vector<bool> is_in_line(n_nodes, false);
+      for (const NodeLine &line : lines)
+        for (const unsigned int i : line)
+          is_in_line[i] = true;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        if (!is_in_line[i])
+          lines.push_back({i});
+      std::sort(lines.begin(),
+                lines.end(),
+                [](const NodeLine &a, const NodeLine &b) {
+                  return *std::min_element(a.begin(), a.end()) <
+                         *std::min_element(b.begin(), b.end());
+                });
+      return lines;
+    }
+  } // namespace
+
+
+
   template <int n_components, typename Number>
   BlockGaussSeidel<n_components, Number>::BlockGaussSeidel(
-    const BlockSparsity &sparsity)
+    const BlockSparsity         &sparsity,
+    const std::vector<NodeLine> &lines)
     : n_rows(sparsity.n_rows())
   {
+    if (!lines.empty())
+      {
+        factors =
+          LineFactors<n_components, Number>(sparsity,
+                                            with_single_nodes(lines, n_rows));
+        remainder.resize(factors.longest() * n_components);
+      }
     lower.row_start.reserve(n_rows + 1);
     upper.row_start.reserve(n_rows + 1);
     for (unsigned int i = 0; i < n_rows; ++i)
       {
-        const auto columns = sparsity.column.begin();
-        // Ghosts lie behind all owned nodes, so they belong to the upper part.
-        lower.column.insert(lower.column.end(),
-                            columns + sparsity.row_start[i],
-                            columns + sparsity.diagonal[i]);
-        upper.column.insert(upper.column.end(),
-                            columns + sparsity.diagonal[i] + 1,
-                            columns + sparsity.row_start[i + 1]);
+        for (unsigned int k = sparsity.row_start[i];
+             k < sparsity.row_start[i + 1];
+             ++k)
+          if (Part *part = part_of(i, sparsity.column[k]))
+            part->column.push_back(sparsity.column[k]);
         lower.row_start.push_back(lower.column.size());
         upper.row_start.push_back(upper.column.size());
       }
@@ -30,8 +63,29 @@ namespace StickSlip
       part->values.resize(std::size_t(part->column.size()) * n_components *
                             n_components +
                           Kernels::sweep_padding);
-    inverse_diagonal.resize(std::size_t(n_rows) * n_components * n_components +
-                            Kernels::sweep_padding);
+    if (!has_lines())
+      inverse_diagonal.resize(std::size_t(n_rows) * n_components *
+                                n_components +
+                              Kernels::sweep_padding);
+  }
+
+
+
+  template <int n_components, typename Number>
+  typename BlockGaussSeidel<n_components, Number>::Part *
+  BlockGaussSeidel<n_components, Number>::part_of(const unsigned int row,
+                                                  const unsigned int column)
+  {
+    // Ghosts lie behind all owned nodes, so they belong to the upper part.
+    unsigned int of_row = row, of_column = column;
+    if (has_lines() && column < n_rows)
+      {
+        of_row    = factors.line_of(row);
+        of_column = factors.line_of(column);
+      }
+    if (of_row == of_column)
+      return nullptr;
+    return of_column < of_row && column < n_rows ? &lower : &upper;
   }
 
 
@@ -46,6 +100,16 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
+  Number *
+  BlockGaussSeidel<n_components, Number>::Part::first_of(const unsigned int row)
+  {
+    return values.data() +
+           std::size_t(row_start[row]) * n_components * n_components;
+  }
+
+
+
+  template <int n_components, typename Number>
   template <typename OtherNumber>
   void
   BlockGaussSeidel<n_components, Number>::set_row(
@@ -53,19 +117,32 @@ namespace StickSlip
     const BlockMatrix<n_components, OtherNumber> &matrix)
   {
     const BlockSparsity &sparsity = matrix.sparsity();
-    const auto           copy     = [&](Part &part, const unsigned int begin) {
-      Number *target = part.values.data() + std::size_t(part.row_start[i]) *
-                                              n_components * n_components;
-      const unsigned int n = part.row_start[i + 1] - part.row_start[i];
-      for (unsigned int k = 0; k < n;
-           ++k, target += n_components * n_components)
-        for (unsigned int c = 0; c < n_components; ++c)
-          for (unsigned int d = 0; d < n_components; ++d)
-            target[Kernels::sweep_position<n_components>(c, d)] =
-              matrix.block(begin + k)[c * n_components + d];
+    Number    *next_lower = lower.first_of(i), *next_upper = upper.first_of(i);
+    const auto copy = [&](Number *&target, const unsigned int k) {
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          target[Kernels::sweep_position<n_components>(c, d)] =
+            matrix.block(k)[c * n_components + d];
+      target += n_components * n_components;
     };
-    copy(lower, sparsity.row_start[i]);
-    copy(upper, sparsity.diagonal[i] + 1);
+    const unsigned int begin = sparsity.row_start[i],
+                       end   = sparsity.row_start[i + 1];
+    if (!has_lines())
+      {
+        for (unsigned int k = begin; k < sparsity.diagonal[i]; ++k)
+          copy(next_lower, k);
+        for (unsigned int k = sparsity.diagonal[i] + 1; k < end; ++k)
+          copy(next_upper, k);
+        return;
+      }
+    for (unsigned int k = begin; k < end; ++k)
+      {
+        const unsigned int j = sparsity.column[k];
+        if (const Part *part = part_of(i, j))
+          copy(part == &lower ? next_lower : next_upper, k);
+        else if (i != j)
+          factors.set_block(i, j, matrix.block(k));
+      }
   }
 
 
@@ -77,7 +154,19 @@ namespace StickSlip
     const Tensor<2, n_components> &block,
     const NodeMask                &active)
   {
-    set_inverse_diagonal(i, invert_active(block, active, i));
+    if (has_lines())
+      factors.set_diagonal(i, block, active);
+    else
+      set_inverse_diagonal(i, invert_active(block, active, i));
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::factorise_lines()
+  {
+    factors.factorise();
   }
 
 
@@ -103,6 +192,21 @@ namespace StickSlip
     NodeValues<Number>       &x,
     const NodeValues<Number> &b) const
   {
+    if (has_lines())
+      {
+        for (unsigned int l = 0; l < factors.n_lines(); ++l)
+          {
+            const NodeLine &nodes = factors.nodes(l);
+            Kernels::remainder_below<n_components>(lower.rows(),
+                                                   nodes.data(),
+                                                   nodes.size(),
+                                                   b.begin(),
+                                                   x.begin(),
+                                                   remainder.data());
+            solve_line(l, x);
+          }
+        return;
+      }
     Kernels::sweep_from_zero<n_components>(
       lower.rows(), inverse_diagonal.data(), n_rows, b.begin(), x.begin());
   }
@@ -133,12 +237,16 @@ namespace StickSlip
   {
     update_ghosts(x);
     change = x;
-    Kernels::sweep_forward<n_components>(lower.rows(),
-                                         upper.rows(),
-                                         inverse_diagonal.data(),
-                                         n_rows,
-                                         b.begin(),
-                                         x.begin());
+    if (has_lines())
+      for (unsigned int l = 0; l < factors.n_lines(); ++l)
+        relax_line(l, b, x);
+    else
+      Kernels::sweep_forward<n_components>(lower.rows(),
+                                           upper.rows(),
+                                           inverse_diagonal.data(),
+                                           n_rows,
+                                           b.begin(),
+                                           x.begin());
     change.sadd(Number(-1.), Number(1.), x);
     update_ghosts(change);
   }
@@ -166,12 +274,52 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    Kernels::sweep_backward<n_components>(lower.rows(),
-                                          upper.rows(),
-                                          inverse_diagonal.data(),
-                                          n_rows,
-                                          b.begin(),
-                                          x.begin());
+    if (has_lines())
+      for (unsigned int l = factors.n_lines(); l-- > 0;)
+        relax_line(l, b, x);
+    else
+      Kernels::sweep_backward<n_components>(lower.rows(),
+                                            upper.rows(),
+                                            inverse_diagonal.data(),
+                                            n_rows,
+                                            b.begin(),
+                                            x.begin());
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::relax_line(
+    const unsigned int        l,
+    const NodeValues<Number> &b,
+    NodeValues<Number>       &x) const
+  {
+    const NodeLine &nodes = factors.nodes(l);
+    Kernels::remainder_beside<n_components>(lower.rows(),
+                                            upper.rows(),
+                                            nodes.data(),
+                                            nodes.size(),
+                                            b.begin(),
+                                            x.begin(),
+                                            remainder.data());
+    solve_line(l, x);
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::solve_line(
+    const unsigned int  l,
+    NodeValues<Number> &x) const
+  {
+    factors.solve(l, remainder.data());
+    const NodeLine &nodes = factors.nodes(l);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      std::copy_n(remainder.data() + std::size_t(k) * n_components,
+                  n_components,
+                  x.begin() + std::size_t(nodes[k]) * n_components);
   }
 
 
@@ -191,7 +339,8 @@ namespace StickSlip
   BlockGaussSeidel<n_components, Number>::memory_consumption() const
   {
     return lower.memory_consumption() + upper.memory_consumption() +
-           sizeof(Number) * inverse_diagonal.capacity();
+           sizeof(Number) * inverse_diagonal.capacity() +
+           factors.memory_consumption();
   }
 
 

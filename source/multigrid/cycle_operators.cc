@@ -21,8 +21,7 @@ namespace StickSlip
   {
     for (unsigned int l = 0; l < levels.size(); ++l)
       levels[l].active = descriptions[l].fixed;
-    levels.back().smoother =
-      BlockGaussSeidel<n_components, Number>(terms.front().sparsity());
+    levels.back().smoother = make_smoother(levels.size() - 1, terms);
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
         if (l + 1 == levels.size())
@@ -33,14 +32,31 @@ namespace StickSlip
         coarse.matrix = BlockMatrix<n_components, Number>(
           descriptions[l].to_coarser->coarse_sparsity());
         if (l > 1)
-          coarse.smoother =
-            BlockGaussSeidel<n_components, Number>(coarse.matrix.sparsity());
+          coarse.smoother = make_smoother(l - 1, coarse.terms);
       }
     if (levels.size() == 1)
       levels.front().matrix =
         BlockMatrix<n_components, Number>(terms.front().shared_sparsity());
     if (is_shared)
       find_strips(terms.front().sparsity());
+  }
+
+
+
+  template <int n_components, typename Number>
+  template <typename OtherNumber>
+  BlockGaussSeidel<n_components, Number>
+  CycleOperators<n_components, Number>::make_smoother(
+    const unsigned int                                         l,
+    const std::vector<BlockMatrix<n_components, OtherNumber>> &terms) const
+  {
+    const BlockSparsity &sparsity = terms.front().sparsity();
+    return BlockGaussSeidel<n_components, Number>(
+      sparsity,
+      find_strong_lines(sparsity,
+                        terms,
+                        descriptions[l].fixed,
+                        descriptions[l].nonsmooth_nodes));
   }
 
 
@@ -109,11 +125,27 @@ namespace StickSlip
                                           descriptions[l].fixed);
             }
       }
+    BlockGaussSeidel<n_components, Number> &finest = levels.back().smoother;
     for (unsigned int i = 0; i < A.matrix().n_rows(); ++i)
       {
-        levels.back().smoother.set_row(i, A.matrix());
-        levels.back().smoother.set_inverse_diagonal(i, A.inverse_diagonal(i));
+        finest.set_row(i, A.matrix());
+        if (finest.has_lines())
+          finest.set_diagonal(i,
+                              A.matrix().diagonal_block(i),
+                              descriptions.back().fixed);
+        else
+          finest.set_inverse_diagonal(i, A.inverse_diagonal(i));
       }
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  CycleOperators<n_components, Number>::factorise_lines()
+  {
+    for (Level &level : levels)
+      level.smoother.factorise_lines();
   }
 
 

@@ -215,6 +215,7 @@ namespace StickSlip
       const double       inverse = 1. / scale;
       for (unsigned int i = 0; i < n; ++i)
         finest.rhs.local_element(i) = Number(b.local_element(i) * inverse);
+      operators.factorise_lines();
       cycle(levels.size() - 1, active);
       for (unsigned int i = 0; i < n; ++i)
         x.local_element(i) = finest.solution.local_element(i) * scale;

@@ -123,21 +123,18 @@ namespace StickSlip
 
 
 
-    /** Greatest distance of centres of opposite faces of a cell over the least
-     * one. */
+    /** Greatest distance of centres of opposite faces of a cell over the
+     * second one. */
     template <int dim>
     double
     aspect_ratio(const typename Triangulation<dim>::cell_iterator &cell)
     {
-      double least = std::numeric_limits<double>::max(), greatest = 0.;
+      std::array<double, dim> lengths;
       for (unsigned int axis = 0; axis < dim; ++axis)
-        {
-          const double length = cell->face(2 * axis)->center().distance(
-            cell->face(2 * axis + 1)->center());
-          least    = std::min(least, length);
-          greatest = std::max(greatest, length);
-        }
-      return greatest / least;
+        lengths[axis] = cell->face(2 * axis)->center().distance(
+          cell->face(2 * axis + 1)->center());
+      std::sort(lengths.begin(), lengths.end());
+      return lengths[dim - 1] / lengths[dim - 2];
     }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/bounding_box.h>
+
 #include <stickslip/parameters/expression.h>
 #include <stickslip/parameters/number_range.h>
 #include <stickslip/scene/scene_warnings.h>
@@ -9,16 +11,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 namespace StickSlip
 {
   namespace
   {
-    // Aspect ratios from which on doc/hard_cases.md has many iterations.
+    // Cells in space that are so much longer along one axis than along both
+    // others take many iterations; other flat and tall ones do not.
     constexpr double largest_aspect_ratio = 10.;
 
     constexpr double nearly_incompressible = 0.45;
+
+    // At this distance of held sides, in lengths of the fault, the first event
+    // of doc/seas.md comes a percent early.
+    constexpr double wanted_lengths = 5.;
 
     constexpr double many_steps = 1e6, many_records = 1e5, many_sets = 1e4;
 
@@ -172,19 +180,16 @@ namespace StickSlip
     warn_of_openings(const FaultParameters    &fault,
                      std::vector<std::string> &warnings)
     {
-      const auto has_no_law = [](const FrictionParameters &friction) {
-        return friction.has_prescribed_slip();
-      };
       if (!fault.may_open())
         warn_of_bilateral_part(fault,
                                OpeningParameters(),
                                fault.section(),
                                warnings);
-      else if (fault.opening.may_open() && has_no_law(fault) &&
+      else if (fault.opening.may_open() && fault.has_prescribed_slip() &&
                std::all_of(fault.regions.begin(),
                            fault.regions.end(),
-                           [&](const FrictionRegion &region) {
-                             return has_no_law(region.friction);
+                           [](const FrictionRegion &region) {
+                             return region.friction.has_prescribed_slip();
                            }))
         warn_of_part_without_law(fault, fault.section(), warnings);
 
@@ -197,8 +202,74 @@ namespace StickSlip
                                    fault.opening,
                                    section,
                                    warnings);
-          else if (!fault.opening.may_open() && has_no_law(region.friction))
+          else if (!fault.opening.may_open() &&
+                   region.friction.has_prescribed_slip())
             warn_of_part_without_law(region.friction, section, warnings);
+        }
+    }
+
+
+
+    template <int dim>
+    double
+    distance_from(const BoundingBox<dim> &box, const Point<dim> &point)
+    {
+      Tensor<1, dim> difference;
+      for (unsigned int d = 0; d < dim; ++d)
+        difference[d] = std::max(
+          {box.lower_bound(d) - point[d], 0., point[d] - box.upper_bound(d)});
+      return difference.norm();
+    }
+
+
+
+    /** Warn of held sides that are near to the part of a fault with friction,
+     * where the fault slips at a known rate beyond that part, and its shear
+     * stress at the start is not that of the bodies: it is one in a medium
+     * without end then. */
+    template <int dim>
+    void
+    warn_of_near_sides(const SceneParameters<dim>    &scene,
+                       const FaultParameters         &fault,
+                       const std::vector<Point<dim>> &points,
+                       const std::vector<FaultPart>  &parts,
+                       std::vector<std::string>      &warnings)
+    {
+      std::vector<Point<dim>> with_friction;
+      bool                    goes_on = false;
+      for (const FaultPart &part : parts)
+        if (part.friction->has_prescribed_slip())
+          goes_on |= !part.positions.empty();
+        else
+          for (const Point<dim> &point : part.select(points))
+            with_friction.push_back(point);
+      if (!goes_on || with_friction.empty() ||
+          !fault.given_starts(with_friction, fault.section())
+             .front()
+             .shear_stress)
+        return;
+      const BoundingBox<dim> box(with_friction);
+      const double           length = box.get_boundary_points().first.distance(
+        box.get_boundary_points().second);
+      for (const BoundaryCondition<dim> &side : scene.boundary_conditions)
+        {
+          if (std::none_of(side.type.begin(),
+                           side.type.end(),
+                           [](const auto t) {
+                             return t == BoundaryType::fixed ||
+                                    t == BoundaryType::velocity;
+                           }))
+            continue;
+          double distance = std::numeric_limits<double>::max();
+          for (const Point<dim> &point : side_points(scene, side))
+            distance = std::min(distance, distance_from(box, point));
+          if (distance < wanted_lengths * length)
+            warnings.push_back(
+              in_quotes(fault.section()) + ": the part with friction, " +
+              shortest_form(length) + " m, is long for the box: '" + side.body +
+              " " + side.side_name + "' is held " + shortest_form(distance) +
+              " m from it, and should be " + shortest_form(wanted_lengths) +
+              " lengths or more from it.");
         }
     }
 
@@ -231,6 +302,7 @@ namespace StickSlip
                   ": the region has no node of the fault, or those that it has "
                   "are all in regions named later.");
             }
+          warn_of_near_sides(scene, fault, points, parts, warnings);
           if (fault.normal_stress.is_table_elsewhere(points))
             warnings.push_back(
               in_quotes(fault.section() + "/Normal stress function") +
@@ -329,12 +401,12 @@ namespace StickSlip
                    const MeshEstimate         &meshes,
                    std::vector<std::string>   &warnings)
     {
-      if (meshes.aspect_ratio > largest_aspect_ratio)
+      if (dim == 3 && meshes.aspect_ratio > largest_aspect_ratio)
         warnings.push_back(
           "'" + scene.bodies[meshes.stretched_body].section() +
           "': cells are up to " + rounded_count(meshes.aspect_ratio) +
-          " times as long as wide; from about ten on, steps take many more "
-          "iterations.");
+          " times as long along one axis as along both others; from about ten "
+          "on, steps take many more iterations.");
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         {
           const BodyParameters<dim> &body = scene.bodies[b];

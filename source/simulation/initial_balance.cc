@@ -34,19 +34,6 @@ namespace StickSlip
 
 
 
-    template <int dim>
-    bool
-    is_pressed(const FaultNodes<dim>  &faults,
-               const NodeLaws         &laws,
-               const SystemState<dim> &state,
-               const unsigned int      k)
-    {
-      return needs_friction(faults, laws, state, k) &&
-             state.normal_stress[k] > 0.;
-    }
-
-
-
     double
     coefficient(const FaultLaw &law, const double alpha, const double V)
     {
@@ -74,7 +61,7 @@ namespace StickSlip
         const double traction = magnitude(state.balancing_traction[k]);
         shear_force += faults.weights()[k] * traction;
         normal_force += faults.weights()[k] * state.normal_stress[k];
-        if (!is_pressed(faults, laws, state, k))
+        if (!(state.normal_stress[k] > 0.))
           continue;
         const double ratio = traction / state.normal_stress[k];
         if (!balance.is_known || ratio > balance.greatest)
@@ -138,7 +125,8 @@ namespace StickSlip
         for (unsigned int n = faults.first_of_fault()[f];
              n < faults.first_of_fault()[f + 1];
              ++n)
-          if (is_pressed(faults, laws, state, n) &&
+          if (needs_friction(faults, laws, state, n) &&
+              state.normal_stress[n] > 0. &&
               laws[n].friction->rate_scale() > 0. &&
               coefficient(laws[n],
                           state.alpha.empty() ? 0. : state.alpha[n],

@@ -220,12 +220,14 @@ namespace StickSlip
     const ContactSpace<dim, n_components> &space,
     const std::vector<FaultSnapshot<dim>> &faults,
     const std::function<void()>           &complete_state,
+    const BodyValues                      &body_values,
     const RecordState                     *earlier)
     : scene(scene)
     , space(space)
     , communicator(space.meshes().finest().nodes.communicator())
     , stations(scene, space.meshes().finest(), space.jump_basis())
     , complete_state(complete_state)
+    , body_values(body_values)
     , fault_cadence(scene.output.fault_cadence)
     , station_cadence(scene.output.station_cadence)
     , volume_cadence(scene.output.volume_cadence)
@@ -307,7 +309,7 @@ namespace StickSlip
     const bool                              at_stations,
     const bool                              fields)
   {
-    if (shows_bodies(at_stations, faults, fields))
+    if (shows_bodies(faults, fields))
       complete_state();
     std::optional<EnergyRecord> energies;
     if (faults && energy != nullptr)
@@ -319,7 +321,9 @@ namespace StickSlip
       volume ? gather_volume(state) : VolumeNodalValues();
     std::vector<std::vector<double>> station_values;
     if (at_stations)
-      station_values = stations.values(state, last_faults);
+      station_values =
+        stations.values(last_faults,
+                        body_values(state, stations.functionals()));
     complete_faults(state, surfaces, fault_history);
     carry_out_agreed(communicator, [&]() {
       if (!files)
@@ -381,13 +385,11 @@ namespace StickSlip
 
   template <int dim, int n_components>
   bool
-  RunRecord<dim, n_components>::shows_bodies(const bool at_stations,
-                                             const bool fault_history,
+  RunRecord<dim, n_components>::shows_bodies(const bool fault_history,
                                              const bool fields) const
   {
-    return fields || (at_stations && stations.any_in_bodies()) ||
-           (fault_history &&
-            has_field(scene.output.fault_fields, FaultField::position));
+    return fields || (fault_history && has_field(scene.output.fault_fields,
+                                                 FaultField::position));
   }
 
 

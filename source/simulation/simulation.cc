@@ -492,6 +492,10 @@ namespace StickSlip
       problem,
       snapshots,
       [this]() { complete_state(); },
+      [this](const SystemState<dim>             &state,
+             const std::vector<NodalFunctional> &functionals) {
+        return step_size_controller->body_values(state, functionals);
+      },
       goes_on ? &run_state.record : nullptr);
     if (!goes_on)
       record->add(StepRecord(), state(), snapshots, energy.get());

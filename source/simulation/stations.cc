@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
-
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/geometry/place_finder.h>
@@ -190,10 +188,14 @@ namespace StickSlip
            level.resolve(body, dof_of_vertex.at(vertex)))
         values[node] += factor * value;
 
-    places.push_back({body, {}, false});
-    for (const auto &[node, value] : values)
-      if (level.nodes.owned().is_element(node))
-        places.back().nodes.emplace_back(level.nodes.local_index(node), value);
+    for (unsigned int c = 0; c < n_components; ++c)
+      {
+        of_bodies.emplace_back();
+        for (const auto &[node, value] : values)
+          if (level.nodes.owned().is_element(node))
+            of_bodies.back().emplace_back(
+              level.nodes.local_index(node) * n_components + c, value);
+      }
 
     TableColumns columns;
     add_components(columns, "disp", n_components, 1, "m", "Displacement");
@@ -235,38 +237,28 @@ namespace StickSlip
 
   template <int dim>
   std::vector<std::vector<double>>
-  Stations<dim>::values(const SystemState<dim>                &state,
-                        const std::vector<FaultSnapshot<dim>> &faults) const
+  Stations<dim>::values(const std::vector<FaultSnapshot<dim>> &faults,
+                        const FunctionalValues                &in_bodies) const
   {
+    AssertDimension(in_bodies.of_displacement.size(), of_bodies.size());
     std::vector<std::vector<double>> result;
-    std::vector<double>              of_bodies;
-    for (unsigned int i = 0; i < places.size(); ++i)
-      {
-        const Place &place = places[i];
-        result.emplace_back();
-        if (headers[i].is_on_fault)
-          {
-            result.back() = fault_values(place, faults[place.number]);
-            continue;
-          }
-        for (const NodalVector *field : {&state.displacement, &state.velocity})
-          for (unsigned int c = 0; c < n_components; ++c)
-            {
-              double sum = 0.;
-              for (const auto &[node, value] : place.nodes)
-                sum += value * field->local_element(node * n_components + c);
-              of_bodies.push_back(sum);
-            }
-      }
-    Utilities::MPI::sum(of_bodies,
-                        state.displacement.get_mpi_communicator(),
-                        of_bodies);
-    auto next = of_bodies.begin();
-    for (unsigned int i = 0; i < places.size(); ++i)
-      if (!headers[i].is_on_fault)
+    auto                             place = places.begin();
+    unsigned int                     next  = 0;
+    for (const StationTable &station : headers)
+      if (station.is_on_fault)
         {
-          result[i].assign(next, next + 2 * n_components);
-          next += 2 * n_components;
+          result.push_back(fault_values(*place, faults[place->number]));
+          ++place;
+        }
+      else
+        {
+          result.emplace_back();
+          for (const auto *field :
+               {&in_bodies.of_displacement, &in_bodies.of_velocity})
+            result.back().insert(result.back().end(),
+                                 field->begin() + next,
+                                 field->begin() + next + n_components);
+          next += n_components;
         }
     return result;
   }

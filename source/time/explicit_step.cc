@@ -95,12 +95,17 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes = faults.owned_contact();
     std::vector<std::pair<unsigned int, unsigned int>> here(entries.size());
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        if (const unsigned int entry = entries.of_node[i][d];
-            entry != numbers::invalid_unsigned_int)
-          here[entry] = {nodes[i], d};
-        else if (laws[nodes[i]].is_prescribed)
-          prescribed.push_back(faults.node(nodes[i]) * n_components + d);
+      {
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          if (const unsigned int entry = entries.of_node[i][d];
+              entry != numbers::invalid_unsigned_int)
+            here[entry] = {nodes[i], d};
+          else if (laws[nodes[i]].is_prescribed)
+            known_entries.push_back(faults.node(nodes[i]) * n_components + d);
+        if (following.is_needed() && n_components == dim)
+          known_entries.push_back(faults.node(nodes[i]) * n_components +
+                                  FaultAxes<dim>::normal_component);
+      }
     const MPI_Comm communicator =
       problem.hierarchy().finest().nodes.communicator();
     const auto all = Utilities::MPI::all_gather(communicator, here);
@@ -124,21 +129,19 @@ namespace StickSlip
       nodes,
       problem.operators().unknowns().fixed,
       entries.positions,
-      prescribed);
+      known_entries);
     if (!following.is_needed())
       return;
-    const NodalVector no_load = problem.make_vector();
+    NodalVector forces = problem.make_vector();
     pressures_of_slip.reserve(std::size_t(entries.size()) * faults.size());
     for (unsigned int i = 0; i < places.size(); ++i)
       {
-        const bool is_here =
-          i >= first_place && i < first_place + entries.size();
-        NodalVector w = problem.make_vector();
-        if (is_here)
-          w.local_element(entries.positions[i - first_place]) = 1.;
-        balance(w, no_load);
-        const std::vector<double> column = forces_of(w, no_load).pressure;
-        if (is_here)
+        for (unsigned int k = 0; k < known_entries.size(); ++k)
+          forces.local_element(known_entries[k]) =
+            condensed->row_of_known(k)[i];
+        const std::vector<double> column =
+          contact_pressures(problem.jump_basis(), nodes, forces);
+        if (i >= first_place && i < first_place + entries.size())
           pressures_of_slip.insert(pressures_of_slip.end(),
                                    column.begin(),
                                    column.end());
@@ -173,21 +176,43 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  NodalVector
+  ExplicitStep<dim, n_components>::velocities_of_faults(
+    const SystemState<dim> &state) const
+  {
+    NodalVector w = known_velocities(state.time);
+    for (const unsigned int k : faults.owned_contact())
+      if (slips_freely(k))
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          w.local_element(faults.node(k) * n_components + d) =
+            state.slip_rate[k][d];
+    return w;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  ExplicitStep<dim, n_components>::restrict_to_eliminated(NodalVector &w) const
+  {
+    problem.operators().unknowns().fixed.apply(w);
+    for (const unsigned int position : entries.positions)
+      w.local_element(position) = 0.;
+  }
+
+
+
+  template <int dim, int n_components>
   void
   ExplicitStep<dim, n_components>::balance(NodalVector       &w,
                                            const NodalVector &load)
   {
-    const auto restrict = [&](NodalVector &vector) {
-      problem.operators().unknowns().fixed.apply(vector);
-      for (const unsigned int position : entries.positions)
-        vector.local_element(position) = 0.;
-    };
     NodalVector forces = problem.make_vector(), change = forces;
     problem.term(SpatialProblem<dim, n_components>::stiffness)
       .residual(forces, load, w);
-    restrict(forces);
+    restrict_to_eliminated(forces);
     condensed->solve_eliminated(change, forces);
-    restrict(change);
+    restrict_to_eliminated(change);
     w += change;
   }
 
@@ -204,8 +229,8 @@ namespace StickSlip
     Forces result;
     for (const unsigned int position : entries.positions)
       result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : prescribed)
-      result.prescribed.push_back(forces.local_element(position));
+    for (const unsigned int position : known_entries)
+      result.known.push_back(forces.local_element(position));
     if (following.is_needed())
       {
         forces *= -1.;
@@ -235,8 +260,8 @@ namespace StickSlip
     Forces result;
     for (const unsigned int position : entries.positions)
       result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : prescribed)
-      result.prescribed.push_back(forces.local_element(position));
+    for (const unsigned int position : known_entries)
+      result.known.push_back(forces.local_element(position));
     if (following.is_needed())
       result.pressure = state.contact_pressure;
     return result;
@@ -471,14 +496,14 @@ namespace StickSlip
     if (!(error <= tolerance))
       return result;
 
-    // Forces on prescribed entries follow the mean rates.
+    // Forces on known entries follow the mean rates.
     std::vector<double> mean_rates, product;
     for (const auto &[k, d] : places)
       mean_rates.push_back(to.mean_slip_rate[k][d]);
     condensed->multiply_known(product, mean_rates);
-    add(forces.prescribed, 0.5 * tau, drive.prescribed);
-    add(forces.prescribed, 0.5 * tau, drive_end.prescribed);
-    add(forces.prescribed, -tau, product);
+    add(forces.known, 0.5 * tau, drive.known);
+    add(forces.known, 0.5 * tau, drive_end.known);
+    add(forces.known, -tau, product);
 
     to.time                = from.time + tau;
     to.last_step           = tau;
@@ -510,8 +535,8 @@ namespace StickSlip
     NodalVector forces = problem.make_vector();
     for (unsigned int i = 0; i < entries.size(); ++i)
       forces.local_element(entries.positions[i]) = end.free[i];
-    for (unsigned int i = 0; i < prescribed.size(); ++i)
-      forces.local_element(prescribed[i]) = end.prescribed[i];
+    for (unsigned int i = 0; i < known_entries.size(); ++i)
+      forces.local_element(known_entries[i]) = end.known[i];
     to.fault_force = faults.tangential_jumps(forces);
     if (following.is_needed())
       to.contact_pressure = end.pressure;
@@ -546,15 +571,67 @@ namespace StickSlip
     problem.to_jumps(w, state.displacement);
     balance(w, problem.load(state.time));
     problem.to_nodal(state.displacement, w);
-    w = known_velocities(state.time);
-    for (const unsigned int k : faults.owned_contact())
-      if (slips_freely(k))
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          w.local_element(faults.node(k) * n_components + d) =
-            state.slip_rate[k][d];
+    w = velocities_of_faults(state);
     balance(w, load_rate(state.time, state.last_step));
     problem.to_nodal(state.velocity, w);
     state.is_complete = true;
+  }
+
+
+
+  template <int dim, int n_components>
+  typename ExplicitStep<dim, n_components>::Influence
+  ExplicitStep<dim, n_components>::influence(const NodalFunctional &functional)
+  {
+    NodalVector nodal = problem.make_nodal_vector();
+    for (const auto &[entry, weight] : functional)
+      nodal.local_element(entry) += weight;
+    const NodalVector e = problem.to_dual(nodal);
+    Influence         result;
+    result.of_loads = problem.make_vector();
+    balance(result.of_loads, e);
+    NodalVector known = problem.make_vector();
+    problem.term(SpatialProblem<dim, n_components>::stiffness)
+      .residual(known, e, result.of_loads);
+    NodalVector rest = known;
+    restrict_to_eliminated(rest);
+    known -= rest;
+    for (unsigned int i = 0; i < known.locally_owned_size(); ++i)
+      if (known.local_element(i) != 0.)
+        result.of_known.emplace_back(i, known.local_element(i));
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  FunctionalValues
+  ExplicitStep<dim, n_components>::body_values(
+    const SystemState<dim>             &state,
+    const std::vector<NodalFunctional> &functionals)
+  {
+    if (functionals.empty())
+      return {};
+    if (!condensed)
+      prepare();
+    while (influences.size() < functionals.size())
+      influences.push_back(influence(functionals[influences.size()]));
+
+    const auto values_of = [&](const NodalVector &w, const NodalVector &load) {
+      std::vector<double> result;
+      for (const Influence &influence : influences)
+        result.push_back(part_of_value(influence.of_known, w));
+      sum_up(result, problem.hierarchy().finest().nodes.communicator());
+      if (load.linfty_norm() > 0.)
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i] += influences[i].of_loads * load;
+      return result;
+    };
+    NodalVector w = problem.make_vector();
+    problem.to_jumps(w, state.displacement);
+    return {values_of(w, problem.load(state.time)),
+            values_of(velocities_of_faults(state),
+                      load_rate(state.time, state.last_step))};
   }
 
 

@@ -136,6 +136,24 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  double
+  StepHistory<dim, n_components>::largest_slip_rate(
+    const PastState<dim> &now,
+    const unsigned int    fault) const
+  {
+    double                           largest = 0.;
+    const std::vector<unsigned int> &first   = faults.first_of_fault();
+    for (unsigned int k = first[fault]; k < first[fault + 1]; ++k)
+      if (now.in_contact[k])
+        largest = std::max({largest,
+                            magnitude(now.slip_rate[k]),
+                            magnitude(records[0].slip_rate[k])});
+    return largest;
+  }
+
+
+
+  template <int dim, int n_components>
   std::vector<double>
   StepHistory<dim, n_components>::motion_errors(const PastState<dim> &now,
                                                 const Extrapolation &past) const
@@ -152,12 +170,7 @@ namespace StickSlip
     const std::vector<unsigned int> &first = faults.first_of_fault();
     for (unsigned int f = 0; f + 1 < first.size(); ++f)
       {
-        double fastest = 0.;
-        for (unsigned int k = first[f]; k < first[f + 1]; ++k)
-          if (now.in_contact[k])
-            fastest = std::max({fastest,
-                                magnitude(now.slip_rate[k]),
-                                magnitude(records[0].slip_rate[k])});
+        const double fastest = largest_slip_rate(now, f);
         for (unsigned int k = first[f]; k < first[f + 1]; ++k)
           // Friction that a node meets on coming into contact has no past.
           if (records[0].in_contact[k] && records[1].in_contact[k] &&
@@ -203,7 +216,8 @@ namespace StickSlip
             area += weight;
           }
         if (sum > 0.)
-          least = std::min(least, sum / area);
+          least =
+            std::min(least, std::max(sum / area, largest_slip_rate(now, f)));
       }
     return least;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/base/time_resolution.h>
 #include <stickslip/time/embedded_control.h>
 #include <stickslip/time/explicit_control.h>
@@ -14,6 +16,28 @@
 
 namespace StickSlip
 {
+  template <int dim, int n_components>
+  FunctionalValues
+  StepSizeController<dim, n_components>::body_values(
+    const SystemState<dim>             &state,
+    const std::vector<NodalFunctional> &functionals)
+  {
+    FunctionalValues result;
+    for (const NodalFunctional &functional : functionals)
+      {
+        result.of_displacement.push_back(
+          part_of_value(functional, state.displacement));
+        result.of_velocity.push_back(part_of_value(functional, state.velocity));
+      }
+    const MPI_Comm communicator = state.displacement.get_mpi_communicator();
+    for (std::vector<double> *values :
+         {&result.of_displacement, &result.of_velocity})
+      Utilities::MPI::sum(*values, communicator, *values);
+    return result;
+  }
+
+
+
   template <int dim, int n_components>
   std::vector<StepResult<dim>>
   StepSizeController<dim, n_components>::advance(const SystemState<dim> &state,

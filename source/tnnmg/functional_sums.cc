@@ -54,6 +54,50 @@ namespace StickSlip
       return eigenvalues(symmetrize(hessian))[n_acting - 1] <=
              factor * diagonal;
     }
+
+
+
+    /**
+     * Return whether the functional is quadratic with this second derivative as
+     * far as a correction may take the node: ten times where the @p force that
+     * is left leads it without its neighbours, and as far on the other side.
+     * So it is on a fault that slides freely below the rate from which on there
+     * is friction, and never at one that is stuck there.
+     */
+    template <int n_components>
+    bool
+    is_quadratic(const NonsmoothFunctional<n_components> &functional,
+                 const unsigned int                       k,
+                 const Tensor<1, n_components>           &v,
+                 const Tensor<2, n_components>           &hessian,
+                 const Tensor<2, n_components>           &diagonal_block,
+                 const Tensor<1, n_components>           &force)
+    {
+      constexpr double reach = 10.;
+
+      Tensor<1, n_components> way;
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (functional.acts_on(k, c))
+          {
+            if (!std::isfinite(hessian[c][c]))
+              return false;
+            way[c] = reach * force[c] / diagonal_block[c][c];
+          }
+      const double length = way.norm();
+      if (!(length > 0.))
+        return false;
+      const Tensor<1, n_components> gradient = functional.gradient(k, v);
+      for (const double side : {-1., 1.})
+        {
+          const Tensor<1, n_components> expected =
+            gradient + hessian * (side * way);
+          const Tensor<1, n_components> there =
+            functional.gradient(k, v + side * way);
+          if (!((there - expected).norm() <= 1e-12 * expected.norm()))
+            return false;
+        }
+      return true;
+    }
   } // namespace
 
 
@@ -197,6 +241,16 @@ namespace StickSlip
                                      hessians[k],
                                      diagonal_blocks[k],
                                      parameters.truncation_factor);
+              }
+            else
+              {
+                hessians[k] = functional.hessian(k, v);
+                smooth      = is_quadratic(functional,
+                                      k,
+                                      v,
+                                      hessians[k],
+                                      diagonal_blocks[k],
+                                      block<n_components>(force, i));
               }
           }
         else

@@ -52,10 +52,12 @@ BENCHMARKS = {
     "bp1": Benchmark(("minus", "plus"), 100., 14,
                      events=tuple(np.cumsum(FIRST_AND_INTERVALS)), largest=4.18),
     "bp2": Benchmark(("minus", "plus"), 50., 15),
-    "bp3_thrust60": Benchmark(PLANE, 200., 13, 2. / math.sqrt(3.),
+    "bp3_thrust60": Benchmark(PLANE, 50., 15, 2. / math.sqrt(3.),
                               (177.22, 277.53, 334.53, 421.54, 514.05, 611.52, 674.79)),
-    "bp3_normal60": Benchmark(PLANE, 200., 13, 2. / math.sqrt(3.)),
-    "bp3_thrust30": Benchmark(PLANE, 200., 13, 2.),
+    "bp3_normal60": Benchmark(PLANE, 50., 15, 2. / math.sqrt(3.)),
+    "bp3_thrust30": Benchmark(PLANE, 50., 15, 2.),
+    "bp3_normal30": Benchmark(PLANE, 50., 15, 2.,
+                              (206.84, 279.40, 392.23, 465.71, 576.42, 650.34)),
     "bp5": Benchmark(("minus", "plus"), 2000., 7),
 }
 

@@ -85,6 +85,27 @@ namespace StickSlip
                    const unsigned int      n,
                    const Number           *b,
                    Number                 *x);
+
+    /** s_k = (b - L x)_i for the rows i = rows[k], 0 <= k < n. */
+    template <int n_components, typename Number>
+    void
+    remainder_below(const Triangle<Number> &lower,
+                    const unsigned int     *rows,
+                    const unsigned int      n,
+                    const Number           *b,
+                    const Number           *x,
+                    Number                 *s);
+
+    /** s_k = (b - L x - U x)_i for these. */
+    template <int n_components, typename Number>
+    void
+    remainder_beside(const Triangle<Number> &lower,
+                     const Triangle<Number> &upper,
+                     const unsigned int     *rows,
+                     const unsigned int      n,
+                     const Number           *b,
+                     const Number           *x,
+                     Number                 *s);
   } // namespace Kernels
 } // namespace StickSlip
 

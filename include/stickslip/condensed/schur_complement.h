@@ -51,6 +51,13 @@ namespace StickSlip
     void
     multiply_known(std::vector<double> &y, const std::vector<double> &x) const;
 
+    /** The row of S_PF of the k-th of P of this process. */
+    const double *
+    row_of_known(const unsigned int k) const
+    {
+      return rows.data() + (n_free + k) * stride;
+    }
+
     /** x_I = K_II^-1 b_I, where @p b is zero in all other components, and so is
      * x. */
     void

@@ -7,6 +7,7 @@
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/sweep_kernels.h>
+#include <stickslip/multigrid/line_factors.h>
 
 namespace StickSlip
 {
@@ -15,6 +16,10 @@ namespace StickSlip
    * a block matrix, stored as sweep_kernels.h wants them, with the inverses of
    * the diagonal blocks of the components that take part. Components that do
    * not are zero in every result, and must be zero in every start.
+   *
+   * If there are lines of strongly coupled nodes (strong_lines.h), all nodes
+   * of a line are relaxed at once, and "below the diagonal" are couplings to
+   * nodes and lines that come earlier; without lines nothing of this is there.
    *
    * On several processes each acts on its own nodes, with the values of the
    * others as they were before the sweep.
@@ -25,7 +30,20 @@ namespace StickSlip
   public:
     BlockGaussSeidel() = default;
 
-    explicit BlockGaussSeidel(const BlockSparsity &sparsity);
+    explicit BlockGaussSeidel(const BlockSparsity         &sparsity,
+                              const std::vector<NodeLine> &lines = {});
+
+    /** Return if there are lines; then set_diagonal() is what sets diagonal
+     * blocks, not set_inverse_diagonal(). */
+    bool
+    has_lines() const
+    {
+      return factors.n_lines() > 0;
+    }
+
+    /** Factorise the lines that have changed, before the next sweep. */
+    void
+    factorise_lines();
 
     /** Take over the blocks of a row off the diagonal. */
     template <typename OtherNumber>
@@ -84,13 +102,36 @@ namespace StickSlip
       Kernels::Triangle<Number>
       rows() const;
 
+      /** The first block of a row. */
+      Number *
+      first_of(const unsigned int row);
+
       std::size_t
       memory_consumption() const;
     };
 
+    /** The part of a coupling, empty if it belongs to a diagonal block or a
+     * line. */
+    Part *
+    part_of(const unsigned int row, const unsigned int column);
+
+    /** Relax a line with the values of all others as they are. */
+    void
+    relax_line(const unsigned int        l,
+               const NodeValues<Number> &b,
+               NodeValues<Number>       &x) const;
+
+    /** x at its nodes from the remainder. */
+    void
+    solve_line(const unsigned int l, NodeValues<Number> &x) const;
+
     unsigned int          n_rows = 0;
     Part                  lower, upper;
     AlignedVector<Number> inverse_diagonal;
+    /** With lines, those of one node among them, in the order of the sweep. */
+    LineFactors<n_components, Number> factors;
+    /** The right hand side of a line. */
+    mutable std::vector<Number> remainder;
   };
 
 } // namespace StickSlip

@@ -40,6 +40,10 @@ namespace StickSlip
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed);
 
+    /** Factorise the lines that have changed, before a cycle. */
+    void
+    factorise_lines();
+
     std::vector<std::vector<unsigned int>>
     formed_rows() const;
 
@@ -79,6 +83,13 @@ namespace StickSlip
       std::vector<bool> formed;
       NodeMask          active;
     };
+
+    /** The smoother of level @p l, with the lines that its @p terms have. */
+    template <typename OtherNumber>
+    BlockGaussSeidel<n_components, Number>
+    make_smoother(
+      const unsigned int                                         l,
+      const std::vector<BlockMatrix<n_components, OtherNumber>> &terms) const;
 
     /** The terms on the level below @p l. */
     template <typename FineNumber>

@@ -23,10 +23,11 @@ namespace StickSlip
   struct MeshEstimate
   {
     /** Of all bodies that deform, on the finest level. */
-    double       cells = 0., nodes = 0.;
+    double cells = 0., nodes = 0.;
+    /** Without those on which only some bodies are coarsened. */
     unsigned int levels = 1;
 
-    /** Greatest length of a cell over its least one, and the body of it;
+    /** Greatest length of a cell over its second one, and the body of it;
      * nothing is said of triangles and tetrahedra. */
     double       aspect_ratio   = 1.;
     unsigned int stretched_body = 0;

@@ -14,10 +14,10 @@ namespace StickSlip
 {
   /**
    * Sentences on what can be run, and is hardly meant: regions
-   * that hit no node, tables that say nothing of their fault, two velocities
-   * for one corner, cells that multigrid does not like, nearly incompressible
-   * bodies with full volumetric strain, and more steps or output than anyone
-   * waits for.
+   * that hit no node, tables that say nothing of their fault, sides that are
+   * held near to a fault in a half-space, two velocities for one corner, cells
+   * that multigrid does not like, nearly incompressible bodies with full
+   * volumetric strain, and more steps or output than anyone waits for.
    */
   template <int dim>
   std::vector<std::string>

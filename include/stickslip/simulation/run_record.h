@@ -38,18 +38,23 @@ namespace StickSlip
   class RunRecord
   {
   public:
+    using BodyValues =
+      std::function<FunctionalValues(const SystemState<dim> &,
+                                     const std::vector<NodalFunctional> &)>;
+
     /**
      * Creates the output folder and the files. @p space, whose contact mapping
      * may change later, and @p faults as at the start; @p complete_state lets
-     * the bodies of the state follow, and is called before they are written; or
-     * goes on with the
-     * files of an @p earlier record, which are as they were then again, with
-     * the faults of that moment.
+     * the bodies of the state follow, and is called before they are written,
+     * @p body_values tells values that they have or would have; or goes on with
+     * the files of an @p earlier record, which are as they were then again,
+     * with the faults of that moment.
      */
     RunRecord(const SceneParameters<dim>            &scene,
               const ContactSpace<dim, n_components> &space,
               const std::vector<FaultSnapshot<dim>> &faults,
               const std::function<void()>           &complete_state,
+              const BodyValues                      &body_values,
               const RecordState                     *earlier = nullptr);
 
     /** Take in an accepted step; the state at the start has number 0. @p
@@ -114,9 +119,7 @@ namespace StickSlip
 
     /** True if files that are written show where bodies or their nodes are. */
     bool
-    shows_bodies(const bool at_stations,
-                 const bool fault_history,
-                 const bool fields) const;
+    shows_bodies(const bool fault_history, const bool fields) const;
 
     /** True if there are VTU files. */
     bool
@@ -156,6 +159,7 @@ namespace StickSlip
     const MPI_Comm                         communicator;
     const Stations<dim>                    stations;
     const std::function<void()>            complete_state;
+    const BodyValues                       body_values;
     std::unique_ptr<Files>                 files;
     OutputCadence                          fault_cadence;
     OutputCadence                          station_cadence;

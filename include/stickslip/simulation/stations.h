@@ -8,10 +8,9 @@
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/output/fault_snapshot.h>
 #include <stickslip/output/station_files.h>
-#include <stickslip/problem/system_state.h>
+#include <stickslip/problem/nodal_functional.h>
 #include <stickslip/scene/scene_parameters.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -40,34 +39,35 @@ namespace StickSlip
       return headers;
     }
 
-    bool
-    any_in_bodies() const
+    /** Functionals of displacements and velocities that are their values at
+     * the stations in bodies, component by component, one station after the
+     * other. */
+    const std::vector<NodalFunctional> &
+    functionals() const
     {
-      return std::any_of(headers.begin(),
-                         headers.end(),
-                         [](const StationTable &station) {
-                           return !station.is_on_fault;
-                         });
+      return of_bodies;
     }
 
     /**
-     * The values of each station, on all processes: of a fault slip, m, log10
+     * The values of each station: of a fault slip, m, log10
      * of the slip rate over 1 m/s, shear stress, MPa, normal stress, MPa, where
      * it follows the contact pressure, and log10 of the state over 1 s; of a
-     * body displacement, m, and velocity, m/s. Collective.
+     * body displacement, m, and velocity, m/s, which are @p in_bodies the
+     * values of functionals().
      */
     std::vector<std::vector<double>>
-    values(const SystemState<dim>                &state,
-           const std::vector<FaultSnapshot<dim>> &faults) const;
+    values(const std::vector<FaultSnapshot<dim>> &faults,
+           const FunctionalValues                &in_bodies) const;
 
   private:
+    /** Of a station on a fault. */
     struct Place
     {
-      /** The number of the fault or body. */
+      /** The number of the fault. */
       unsigned int number;
 
-      /** Nodes and values of their basis functions: places among those of the
-       * fault, or local indices of the owned ones. */
+      /** Nodes, as places among those of the fault, and values of their basis
+       * functions. */
       std::vector<std::pair<unsigned int, double>> nodes;
 
       /** True on a fault whose normal stress follows the contact pressure. */
@@ -90,7 +90,9 @@ namespace StickSlip
 
     unsigned int              n_components = dim;
     std::vector<StationTable> headers;
-    std::vector<Place>        places;
+    /** Of the stations on faults, in their order. */
+    std::vector<Place>           places;
+    std::vector<NodalFunctional> of_bodies;
   };
 } // namespace StickSlip
 

@@ -30,6 +30,13 @@ namespace StickSlip
       explicit_step.complete(state);
     }
 
+    FunctionalValues
+    body_values(const SystemState<dim>             &state,
+                const std::vector<NodalFunctional> &functionals) override
+    {
+      return explicit_step.body_values(state, functionals);
+    }
+
   protected:
     std::vector<StepResult<dim>>
     accepted_steps(const SystemState<dim> &state,

@@ -8,6 +8,7 @@
 #include <stickslip/condensed/schur_complement.h>
 #include <stickslip/faults/fault_functional.h>
 #include <stickslip/faults/following_stress.h>
+#include <stickslip/problem/nodal_functional.h>
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
 
@@ -65,14 +66,21 @@ namespace StickSlip
     void
     complete(SystemState<dim> &state);
 
+    /** The values of functionals that complete() would lead to, at the cost of
+     * products with what is known, after a solution for each of them at the
+     * first call; the same ones at each call. Collective. */
+    FunctionalValues
+    body_values(const SystemState<dim>             &state,
+                const std::vector<NodalFunctional> &functionals);
+
   private:
     using Slip = std::vector<Tensor<1, dim - 1>>;
 
-    /** Forces on the free and on the prescribed entries of this process, N, and
+    /** Forces on the free and on the known entries of this process, N, and
      * contact pressures of all slave nodes, Pa; or their rates. */
     struct Forces
     {
-      std::vector<double> free, prescribed, pressure;
+      std::vector<double> free, known, pressure;
     };
 
     /** Rates at one of the times within a step: slip rates on the free entries
@@ -85,6 +93,19 @@ namespace StickSlip
       Forces              forces;
     };
 
+    /** A functional of bodies in equilibrium: what it is of known entries, as
+     * those on faults, and the displacement by which it depends on loads: with
+     * z_I = K_II^-1 e_I for the functional e,
+     *
+     *   e w = (e - K z) w + z b,
+     *
+     * which w_I does not enter. */
+    struct Influence
+    {
+      NodalFunctional of_known;
+      NodalVector     of_loads;
+    };
+
     /** Make the matrices. */
     void
     prepare();
@@ -93,6 +114,18 @@ namespace StickSlip
      * else. */
     NodalVector
     known_velocities(const double time) const;
+
+    /** The velocities that a state says in the jump basis: those that are known
+     * and slip rates, and zero else. */
+    NodalVector
+    velocities_of_faults(const SystemState<dim> &state) const;
+
+    /** Set all to zero that is known or free. */
+    void
+    restrict_to_eliminated(NodalVector &w) const;
+
+    Influence
+    influence(const NodalFunctional &functional);
 
     /** Add to @p w what the eliminated components do in equilibrium with it
      * under the forces @p load. */
@@ -153,8 +186,10 @@ namespace StickSlip
     const FollowingStress<dim>         following;
 
     const CondensedEntries<n_components> entries;
-    /** Positions of the prescribed entries of this process. */
-    std::vector<unsigned int> prescribed;
+    /** Positions of the entries of this process whose forces matter although
+     * their jumps are known: those that are prescribed, and the normal ones
+     * where normal stresses follow. */
+    std::vector<unsigned int> known_entries;
     /** Node and direction of each free entry of all processes. */
     std::vector<std::pair<unsigned int, unsigned int>> places;
     /** The number among these of the first one of this process. */
@@ -166,6 +201,8 @@ namespace StickSlip
      * of this process, one after the other; empty where nothing follows them.
      */
     std::vector<double> pressures_of_slip;
+    /** Of the functionals of body_values(). */
+    std::vector<Influence> influences;
     /** Known velocities, and the rates of forces that go with them alone. */
     NodalVector driven_by;
     Forces      driven;

@@ -105,13 +105,20 @@ namespace StickSlip
     Extrapolation
     extrapolation(const double step_size) const;
 
+    /** The largest slip rate of that fault at the ends of the step to @p now,
+     * m/s. */
+    double
+    largest_slip_rate(const PastState<dim> &now,
+                      const unsigned int    fault) const;
+
     /** Traction and slip rate at each node: the smaller one of their errors. */
     std::vector<double>
     motion_errors(const PastState<dim> &now, const Extrapolation &past) const;
 
     /** The velocity at which shear waves carry max(a, b) times the normal
-     * stress, the least of all faults, m/s; infinity if no fault has a law of
-     * that kind and a normal stress. */
+     * stress, or the largest slip rate of the fault if that is more; the least
+     * of all faults, m/s; infinity if no fault has a law of that kind and a
+     * normal stress. */
     double
     velocity_scale(const PastState<dim> &now) const;
 

@@ -5,6 +5,7 @@
 #define stickslip_time_step_size_control_h
 
 #include <stickslip/base/agreed_failure.h>
+#include <stickslip/problem/nodal_functional.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/step_history.h>
 
@@ -65,6 +66,12 @@ namespace StickSlip
     virtual void
     complete(SystemState<dim> &)
     {}
+
+    /** The values of functionals that bodies have, or would have if they
+     * followed the faults: the same functionals at each call. Collective. */
+    virtual FunctionalValues
+    body_values(const SystemState<dim>             &state,
+                const std::vector<NodalFunctional> &functionals);
 
     /** Look at @p condition between two attempts, if it is not empty; the same
      * answer on all processes. */
