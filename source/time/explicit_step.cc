@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
-
-#include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/base/magnitude.h>
-#include <stickslip/faults/contact_pressure.h>
 #include <stickslip/faults/fault_norm.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/explicit_step.h>
@@ -62,16 +58,6 @@ namespace StickSlip
       for (unsigned int k = 0; k < values.size(); ++k)
         values[k] += factor * rates[k];
     }
-
-
-
-    /** The sum over all processes of what each has. */
-    void
-    sum_up(std::vector<double> &values, const MPI_Comm communicator)
-    {
-      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-        Utilities::MPI::sum(values, communicator, values);
-    }
   } // namespace
 
 
@@ -86,255 +72,38 @@ namespace StickSlip
     , faults(faults)
     , laws(laws)
     , following(following)
-    , entries(problem.operators().unknowns())
+    , bodies(problem, faults, laws, following.is_needed())
     , friction(make_fault_friction<dim, n_components>(faults,
                                                       laws,
                                                       std::vector<double>(
                                                         faults.size())))
-  {
-    const std::vector<unsigned int> &nodes = faults.owned_contact();
-    std::vector<std::pair<unsigned int, unsigned int>> here(entries.size());
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      {
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          if (const unsigned int entry = entries.of_node[i][d];
-              entry != numbers::invalid_unsigned_int)
-            here[entry] = {nodes[i], d};
-          else if (laws[nodes[i]].is_prescribed)
-            known_entries.push_back(faults.node(nodes[i]) * n_components + d);
-        if (following.is_needed() && n_components == dim)
-          known_entries.push_back(faults.node(nodes[i]) * n_components +
-                                  FaultAxes<dim>::normal_component);
-      }
-    const MPI_Comm communicator =
-      problem.hierarchy().finest().nodes.communicator();
-    const auto all = Utilities::MPI::all_gather(communicator, here);
-    for (unsigned int p = 0; p < all.size(); ++p)
-      {
-        if (p == Utilities::MPI::this_mpi_process(communicator))
-          first_place = places.size();
-        places.insert(places.end(), all[p].begin(), all[p].end());
-      }
-  }
+  {}
 
 
 
   template <int dim, int n_components>
   void
-  ExplicitStep<dim, n_components>::prepare()
+  ExplicitStep<dim, n_components>::set_force_rates(Stage        &stage,
+                                                   const double  part,
+                                                   const Forces &drive,
+                                                   const Forces &drive_end)
   {
-    const NodePartition &nodes = problem.hierarchy().finest().nodes;
-    condensed = std::make_unique<SchurComplement<n_components>>(
-      problem.term(SpatialProblem<dim, n_components>::stiffness),
-      nodes,
-      problem.operators().unknowns().fixed,
-      entries.positions,
-      known_entries);
-    if (!following.is_needed())
-      return;
-    NodalVector forces = problem.make_vector();
-    pressures_of_slip.reserve(std::size_t(entries.size()) * faults.size());
-    for (unsigned int i = 0; i < places.size(); ++i)
-      {
-        for (unsigned int k = 0; k < known_entries.size(); ++k)
-          forces.local_element(known_entries[k]) =
-            condensed->row_of_known(k)[i];
-        const std::vector<double> column =
-          contact_pressures(problem.jump_basis(), nodes, forces);
-        if (i >= first_place && i < first_place + entries.size())
-          pressures_of_slip.insert(pressures_of_slip.end(),
-                                   column.begin(),
-                                   column.end());
-      }
-  }
-
-
-
-  template <int dim, int n_components>
-  bool
-  ExplicitStep<dim, n_components>::slips_freely(const unsigned int k) const
-  {
-    return faults.in_contact(k) && !laws[k].is_prescribed;
-  }
-
-
-
-  template <int dim, int n_components>
-  NodalVector
-  ExplicitStep<dim, n_components>::known_velocities(const double time) const
-  {
-    NodalVector nodal = problem.make_nodal_vector(), w = problem.make_vector();
-    problem.boundary_values().set_velocities(time, nodal);
-    problem.to_jumps(w, nodal);
-    problem.set_known_jumps(time, w);
-    NodalVector free = w;
-    problem.operators().unknowns().fixed.apply(free);
-    w -= free;
-    return w;
-  }
-
-
-
-  template <int dim, int n_components>
-  NodalVector
-  ExplicitStep<dim, n_components>::velocities_of_faults(
-    const SystemState<dim> &state) const
-  {
-    NodalVector w = known_velocities(state.time);
-    for (const unsigned int k : faults.owned_contact())
-      if (slips_freely(k))
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          w.local_element(faults.node(k) * n_components + d) =
-            state.slip_rate[k][d];
-    return w;
-  }
-
-
-
-  template <int dim, int n_components>
-  void
-  ExplicitStep<dim, n_components>::restrict_to_eliminated(NodalVector &w) const
-  {
-    problem.operators().unknowns().fixed.apply(w);
-    for (const unsigned int position : entries.positions)
-      w.local_element(position) = 0.;
-  }
-
-
-
-  template <int dim, int n_components>
-  void
-  ExplicitStep<dim, n_components>::balance(NodalVector       &w,
-                                           const NodalVector &load)
-  {
-    NodalVector forces = problem.make_vector(), change = forces;
-    problem.term(SpatialProblem<dim, n_components>::stiffness)
-      .residual(forces, load, w);
-    restrict_to_eliminated(forces);
-    condensed->solve_eliminated(change, forces);
-    restrict_to_eliminated(change);
-    w += change;
-  }
-
-
-
-  template <int dim, int n_components>
-  typename ExplicitStep<dim, n_components>::Forces
-  ExplicitStep<dim, n_components>::forces_of(const NodalVector &w,
-                                             const NodalVector &load) const
-  {
-    NodalVector forces = problem.make_vector();
-    problem.term(SpatialProblem<dim, n_components>::stiffness)
-      .residual(forces, load, w);
-    Forces result;
-    for (const unsigned int position : entries.positions)
-      result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : known_entries)
-      result.known.push_back(forces.local_element(position));
-    if (following.is_needed())
-      {
-        forces *= -1.;
-        result.pressure = contact_pressures(problem.jump_basis(),
-                                            problem.hierarchy().finest().nodes,
-                                            forces);
-      }
-    return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  typename ExplicitStep<dim, n_components>::Forces
-  ExplicitStep<dim, n_components>::forces_in(const SystemState<dim> &state)
-  {
-    if (state.fault_force.empty())
-      {
-        NodalVector u = problem.make_vector();
-        problem.to_jumps(u, state.displacement);
-        const NodalVector load = problem.load(state.time);
-        balance(u, load);
-        return forces_of(u, load);
-      }
-    NodalVector forces = problem.make_vector();
-    add_slip(forces, state.fault_force, 1.);
-    Forces result;
-    for (const unsigned int position : entries.positions)
-      result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : known_entries)
-      result.known.push_back(forces.local_element(position));
-    if (following.is_needed())
-      result.pressure = state.contact_pressure;
-    return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  const typename ExplicitStep<dim, n_components>::Forces &
-  ExplicitStep<dim, n_components>::driven_forces(const NodalVector &known,
-                                                 const NodalVector &load_rate)
-  {
-    const bool load_varies = load_rate.linfty_norm() > 0.;
-    const bool is_new      = driven_by.size() == 0 || load_varies ||
-                        !std::equal(known.begin(),
-                                    known.begin() + known.locally_owned_size(),
-                                    driven_by.begin());
-    if (Utilities::MPI::max(int(is_new), known.get_mpi_communicator()) > 0)
-      {
-        NodalVector w = known;
-        balance(w, load_rate);
-        driven    = forces_of(w, load_rate);
-        driven_by = load_varies ? NodalVector() : known;
-      }
-    return driven;
-  }
-
-
-
-  template <int dim, int n_components>
-  NodalVector
-  ExplicitStep<dim, n_components>::load_rate(const double time,
-                                             const double tau) const
-  {
-    NodalVector result = problem.load(time);
-    result -= problem.load(time - tau);
-    if (tau > 0.)
-      result /= tau;
-    return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  void
-  ExplicitStep<dim, n_components>::set_force_rates(
-    Stage        &stage,
-    const double  part,
-    const Forces &drive,
-    const Forces &drive_end) const
-  {
-    const auto between = [part](std::vector<double>       &result,
-                                const std::vector<double> &first,
-                                const std::vector<double> &second) {
+    // Values that are driven, and what slip adds to them.
+    const auto set = [part](std::vector<double>       &result,
+                            const std::vector<double> &first,
+                            const std::vector<double> &second,
+                            const std::vector<double> &of_slip) {
       result.resize(first.size());
       for (unsigned int i = 0; i < first.size(); ++i)
-        result[i] = (1. - part) * first[i] + part * second[i];
+        result[i] = (1. - part) * first[i] + part * second[i] + of_slip[i];
     };
-    std::vector<double> product;
-    condensed->multiply(product, stage.rates);
-    between(stage.forces.free, drive.free, drive_end.free);
-    add(stage.forces.free, -1., product);
-    if (!following.is_needed())
-      return;
-    std::vector<double> pressure(faults.size());
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      add_multiple(pressure.data(),
-                   stage.rates[first_place + i],
-                   pressures_of_slip.data() + std::size_t(i) * faults.size(),
-                   faults.size());
-    sum_up(pressure, problem.hierarchy().finest().nodes.communicator());
-    between(stage.forces.pressure, drive.pressure, drive_end.pressure);
-    add(stage.forces.pressure, 1., pressure);
+    const Forces of_slip = bodies.forces_of_slip(stage.rates);
+    set(stage.forces.free, drive.free, drive_end.free, of_slip.free);
+    if (following.is_needed())
+      set(stage.forces.pressure,
+          drive.pressure,
+          drive_end.pressure,
+          of_slip.pressure);
   }
 
 
@@ -345,8 +114,9 @@ namespace StickSlip
     Stage                     &stage,
     const std::vector<double> &alpha,
     const std::vector<double> &force,
-    const std::vector<double> &normal_stress) const
+    const std::vector<double> &normal_stress)
   {
+    const CondensedEntries<n_components> &entries = bodies.free_entries();
     // All processes have these, and return together.
     if (!are_numbers(alpha) || !are_numbers(normal_stress))
       return false;
@@ -374,33 +144,20 @@ namespace StickSlip
             if (takes_part[d])
               rates[entries.of_node[i][d]] = v[d];
         }
-    stage.rates = condensed->on_all(rates);
+    stage.rates = bodies.on_all(rates);
     if (!are_numbers(stage.rates))
       return false;
+    const auto &places = bodies.all_free();
     for (unsigned int i = 0; i < places.size(); ++i)
       stage.slip_rate[places[i].first][places[i].second] = stage.rates[i];
     stage.state_rate.assign(faults.size(), 0.);
     for (unsigned int k = 0; k < faults.size(); ++k)
-      if (slips_freely(k) && laws[k].state_law)
+      if (bodies.slips_freely(k) && laws[k].state_law)
         stage.state_rate[k] =
           laws[k].state_law->rate(alpha[k],
                                   magnitude(stage.slip_rate[k]),
                                   laws[k].characteristic_slip);
     return true;
-  }
-
-
-
-  template <int dim, int n_components>
-  void
-  ExplicitStep<dim, n_components>::add_slip(NodalVector &w,
-                                            const Slip  &rates,
-                                            const double factor) const
-  {
-    for (const unsigned int k : faults.owned_contact())
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        w.local_element(faults.node(k) * n_components + d) +=
-          factor * rates[k][d];
   }
 
 
@@ -412,9 +169,6 @@ namespace StickSlip
                                         const double            tolerance,
                                         double                 &error)
   {
-    if (!condensed)
-      prepare();
-
     StepResult<dim> result;
     result.step_size                    = tau;
     result.counts.rate_state_iterations = n_stages;
@@ -422,12 +176,12 @@ namespace StickSlip
     error          = std::numeric_limits<double>::quiet_NaN();
 
     // The start of the step, and what drives it.
-    const Forces      start     = forces_in(from);
-    const NodalVector load_rate = this->load_rate(from.time + tau, tau),
-                      known     = known_velocities(from.time),
-                      known_end = known_velocities(from.time + tau);
-    const Forces drive          = driven_forces(known, load_rate),
-                 drive_end      = driven_forces(known_end, load_rate);
+    const Forces      start     = bodies.forces_in(from);
+    const NodalVector load_rate = bodies.load_rate(from.time + tau, tau),
+                      known     = bodies.known_velocities(from.time),
+                      known_end = bodies.known_velocities(from.time + tau);
+    const Forces drive          = bodies.driven_forces(known, load_rate),
+                 drive_end      = bodies.driven_forces(known_end, load_rate);
 
     // Stages, of which the last one is the end.
     std::array<Stage, n_stages> stages;
@@ -454,7 +208,7 @@ namespace StickSlip
             from.normal_stress;
         stages[i].slip_rate = i == 0 ? from.slip_rate : stages[i - 1].slip_rate;
         for (unsigned int k = 0; k < faults.size(); ++k)
-          if (!slips_freely(k))
+          if (!bodies.slips_freely(k))
             stages[i].slip_rate[k] = known_slip_end[k];
         if (!find_rates(stages[i], alpha, forces.free, normal_stress))
           return result;
@@ -469,7 +223,7 @@ namespace StickSlip
     for (unsigned int k = 0; k < faults.size(); ++k)
       {
         const FaultLaw &law = laws[k];
-        if (!slips_freely(k))
+        if (!bodies.slips_freely(k))
           {
             to.mean_slip_rate[k] = 0.5 * (known_slip[k] + known_slip_end[k]);
             if (law.state_law)
@@ -497,13 +251,12 @@ namespace StickSlip
       return result;
 
     // Forces on known entries follow the mean rates.
-    std::vector<double> mean_rates, product;
-    for (const auto &[k, d] : places)
+    std::vector<double> mean_rates;
+    for (const auto &[k, d] : bodies.all_free())
       mean_rates.push_back(to.mean_slip_rate[k][d]);
-    condensed->multiply_known(product, mean_rates);
     add(forces.known, 0.5 * tau, drive.known);
     add(forces.known, 0.5 * tau, drive_end.known);
-    add(forces.known, -tau, product);
+    add(forces.known, tau, bodies.known_forces_of_slip(mean_rates));
 
     to.time                = from.time + tau;
     to.last_step           = tau;
@@ -532,12 +285,7 @@ namespace StickSlip
     for (unsigned int k = 0; k < to.slip.size(); ++k)
       to.slip[k] += tau * to.mean_slip_rate[k];
 
-    NodalVector forces = problem.make_vector();
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      forces.local_element(entries.positions[i]) = end.free[i];
-    for (unsigned int i = 0; i < known_entries.size(); ++i)
-      forces.local_element(known_entries[i]) = end.known[i];
-    to.fault_force = faults.tangential_jumps(forces);
+    to.fault_force = faults.tangential_jumps(bodies.forces_in_jump_basis(end));
     if (following.is_needed())
       to.contact_pressure = end.pressure;
     to.balancing_traction =
@@ -545,93 +293,12 @@ namespace StickSlip
 
     // Driven sides and faults move, and the rest waits.
     NodalVector change = mean_known, nodal = problem.make_nodal_vector();
-    for (const unsigned int k : faults.owned_contact())
-      if (slips_freely(k))
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          change.local_element(faults.node(k) * n_components + d) =
-            to.mean_slip_rate[k][d];
+    bodies.set_free_slip(change, to.mean_slip_rate);
     problem.to_nodal(nodal, change);
     to.displacement = from.displacement;
     to.displacement.add(tau, nodal);
     to.velocity    = from.velocity;
     to.is_complete = false;
-  }
-
-
-
-  template <int dim, int n_components>
-  void
-  ExplicitStep<dim, n_components>::complete(SystemState<dim> &state)
-  {
-    if (state.is_complete)
-      return;
-    if (!condensed)
-      prepare();
-    NodalVector w = problem.make_vector();
-    problem.to_jumps(w, state.displacement);
-    balance(w, problem.load(state.time));
-    problem.to_nodal(state.displacement, w);
-    w = velocities_of_faults(state);
-    balance(w, load_rate(state.time, state.last_step));
-    problem.to_nodal(state.velocity, w);
-    state.is_complete = true;
-  }
-
-
-
-  template <int dim, int n_components>
-  typename ExplicitStep<dim, n_components>::Influence
-  ExplicitStep<dim, n_components>::influence(const NodalFunctional &functional)
-  {
-    NodalVector nodal = problem.make_nodal_vector();
-    for (const auto &[entry, weight] : functional)
-      nodal.local_element(entry) += weight;
-    const NodalVector e = problem.to_dual(nodal);
-    Influence         result;
-    result.of_loads = problem.make_vector();
-    balance(result.of_loads, e);
-    NodalVector known = problem.make_vector();
-    problem.term(SpatialProblem<dim, n_components>::stiffness)
-      .residual(known, e, result.of_loads);
-    NodalVector rest = known;
-    restrict_to_eliminated(rest);
-    known -= rest;
-    for (unsigned int i = 0; i < known.locally_owned_size(); ++i)
-      if (known.local_element(i) != 0.)
-        result.of_known.emplace_back(i, known.local_element(i));
-    return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  FunctionalValues
-  ExplicitStep<dim, n_components>::body_values(
-    const SystemState<dim>             &state,
-    const std::vector<NodalFunctional> &functionals)
-  {
-    if (functionals.empty())
-      return {};
-    if (!condensed)
-      prepare();
-    while (influences.size() < functionals.size())
-      influences.push_back(influence(functionals[influences.size()]));
-
-    const auto values_of = [&](const NodalVector &w, const NodalVector &load) {
-      std::vector<double> result;
-      for (const Influence &influence : influences)
-        result.push_back(part_of_value(influence.of_known, w));
-      sum_up(result, problem.hierarchy().finest().nodes.communicator());
-      if (load.linfty_norm() > 0.)
-        for (unsigned int i = 0; i < result.size(); ++i)
-          result[i] += influences[i].of_loads * load;
-      return result;
-    };
-    NodalVector w = problem.make_vector();
-    problem.to_jumps(w, state.displacement);
-    return {values_of(w, problem.load(state.time)),
-            values_of(velocities_of_faults(state),
-                      load_rate(state.time, state.last_step))};
   }
 
 

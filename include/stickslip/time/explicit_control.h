@@ -27,14 +27,14 @@ namespace StickSlip
     void
     complete(SystemState<dim> &state) override
     {
-      explicit_step.complete(state);
+      explicit_step.moved_bodies().complete(state);
     }
 
     FunctionalValues
     body_values(const SystemState<dim>             &state,
                 const std::vector<NodalFunctional> &functionals) override
     {
-      return explicit_step.body_values(state, functionals);
+      return explicit_step.moved_bodies().body_values(state, functionals);
     }
 
   protected:
