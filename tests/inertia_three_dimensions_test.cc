@@ -7,7 +7,6 @@
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>
-#include <sstream>
 
 #include "creeping_scene.h"
 #include "temporary_folder.h"
@@ -54,22 +53,6 @@ namespace
 
 
 
-  /** The creeping bodies without what has as many numbers as the space has
-   * dimensions. */
-  std::string
-  bodies_of_any_dimension()
-  {
-    std::istringstream lines(creeping_bodies);
-    std::string        text;
-    for (std::string line; std::getline(lines, line);)
-      if (line.find("corner") == std::string::npos &&
-          line.find("Coarse cells") == std::string::npos)
-        text += line + "\n";
-    return text;
-  }
-
-
-
   template <int dim>
   FaultSnapshot<dim>
   fault_at_end(const std::vector<Settings> &settings)
@@ -79,7 +62,7 @@ namespace
       overrides.insert(overrides.end(), more.begin(), more.end());
     const TemporaryFolder folder;
     Simulation<dim>       simulation(
-      SceneReader(folder.write("scene.prm", bodies_of_any_dimension()),
+      SceneReader(folder.write("scene.prm", creeping_bodies_of_any_dimension()),
                   overrides)
         .template read<dim>(),
       MPI_COMM_WORLD);
