@@ -78,7 +78,8 @@ end
 
 
 
-  /** The same without what has as many numbers as the space has dimensions. */
+  /** Creeping bodies without what has as many numbers as the space has
+   * dimensions. */
   inline std::string
   creeping_bodies_of_any_dimension()
   {
