@@ -73,7 +73,7 @@ TEST(RateSolver, CondensedNewtonGivesTheSlipRatesOfTNNMG)
 
 TEST(RateSolver, OtherCorrectionsGiveTheSlipRatesOfMultigrid)
 {
-  // What iterations leave is no difference of the corrections.
+  // Differences that iterations leave are none of the corrections.
   const Settings accurate = {"TNNMG/Tolerance=1e-11",
                              "Time/Rate-state tolerance=1e-10"};
   SteppingScene  reference(creeping_bodies, accurate);
