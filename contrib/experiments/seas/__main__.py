@@ -7,7 +7,8 @@ Usage: contrib/seas NAME [--cell M] [--years Y] [--drawn-only] [--image]
                     [--set ENTRY=VALUE] [--program FILE]
 
 NAME is that of a scene of parameters/seas, as bp1. Cells on the fault have M metres,
-those of the scene over or times a power of two; Y are years of 365 days. The run goes
+those of the scene over or times a power of two (of BP3 they reach as far from the fault
+when they are smaller); Y are years of 365 days. The run goes
 to output/seas/NAME_M/, the figure to figure.png there, profiles of slip and stresses
 in the form of the benchmarks to slip.dat, shear_stress.dat and normal_stress.dat, and
 a table of the events to the screen: an event begins when the largest slip rate passes
@@ -41,6 +42,9 @@ class Benchmark:
     passes: int
     # Distance down the dip over depth.
     slope: float = 1.
+    # Rows of cells of one size in the file, where smaller cells come in as many rows more:
+    # the stiffness of the medium depends on how far they reach.
+    rows: int = 0
     # Times of events, yr, and largest slip rate, m/s, of codes that took part.
     events: tuple = ()
     largest: float = math.nan
@@ -53,10 +57,10 @@ BENCHMARKS = {
                      events=tuple(np.cumsum(FIRST_AND_INTERVALS)), largest=4.18),
     "bp2": Benchmark(("minus", "plus"), 50., 15),
     "bp3_thrust60": Benchmark(PLANE, 50., 15, 2. / math.sqrt(3.),
-                              (177.22, 277.53, 334.53, 421.54, 514.05, 611.52, 674.79)),
-    "bp3_normal60": Benchmark(PLANE, 50., 15, 2. / math.sqrt(3.)),
-    "bp3_thrust30": Benchmark(PLANE, 50., 15, 2.),
-    "bp3_normal30": Benchmark(PLANE, 50., 15, 2.,
+                              8, (177.22, 277.53, 334.53, 421.54, 514.05, 611.52, 674.79)),
+    "bp3_normal60": Benchmark(PLANE, 50., 15, 2. / math.sqrt(3.), 8),
+    "bp3_thrust30": Benchmark(PLANE, 50., 15, 2., 8),
+    "bp3_normal30": Benchmark(PLANE, 50., 15, 2., 8,
                               (206.84, 279.40, 392.23, 465.71, 576.42, 650.34)),
     "bp5": Benchmark(("minus", "plus"), 2000., 7),
 }
@@ -70,6 +74,10 @@ def settings(name, cell, years, folder):
                  "of two.")
     result = {f"Bodies/{body}/Refinement passes": round(passes)
               for body in benchmark.bodies}
+    if benchmark.rows and cell < benchmark.cell:
+        for body in benchmark.bodies:
+            result[f"Bodies/{body}/Refinement rows"] = round(
+                benchmark.rows * benchmark.cell / cell)
     result["Output/Output directory"] = folder
     if years:
         result["Time/End time"] = years * YEAR

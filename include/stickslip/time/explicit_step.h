@@ -23,8 +23,8 @@ namespace StickSlip
    * friction and radiation damping. So slip and state obey ordinary
    * differential equations, and a stage is a product with a dense matrix.
    *
-   * Prescribed motion and loads are linear in time within a step.
-   * Processes have the friction of their own nodes.
+   * Prescribed motion and loads are linear in time within a step. Processes
+   * have the friction of their own nodes.
    */
   template <int dim, int n_components = dim>
   class ExplicitStep
@@ -41,8 +41,8 @@ namespace StickSlip
     /** A step of size @p tau from @p from. Its @p error is that which the
      * embedded method of fourth order tells: the fault_norm() of those of the
      * logarithm of the state and of the slip over the characteristic slip. The
-     * step has not converged if that is above the
-     * @p tolerance, or no number. */
+     * step has not converged if that is above the @p tolerance, or no number.
+     */
     StepResult<dim>
     take(const SystemState<dim> &from,
          const double            tau,

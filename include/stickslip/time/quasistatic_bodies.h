@@ -29,8 +29,8 @@ namespace StickSlip
    * are asked for first. Displacements inside are found only where someone
    * looks at them, by complete() or body_values().
    *
-   * Processes have the rows of S of their own nodes. All members are
-   * collective.
+   * Processes have the rows of S of their own nodes. All members but the
+   * short ones and set_free_slip() are collective.
    */
   template <int dim, int n_components = dim>
   class QuasistaticBodies
