@@ -104,8 +104,9 @@ def events(time, rate):
 def show(name, starts, peaks):
     benchmark = BENCHMARKS[name]
     years = starts / YEAR
-    print("event   time, yr   published   interval, yr   published   largest slip rate, "
-          f"m/s (published {benchmark.largest:g})")
+    largest = f" (published {benchmark.largest:g})" if benchmark.largest > 0. else ""
+    print("event   time, yr   published   interval, yr   published   largest slip rate, m/s"
+          f"{largest}")
     known_times = benchmark.events
     for i, (time, peak) in enumerate(zip(years, peaks)):
         interval = time - (years[i - 1] if i else 0.)
