@@ -4,7 +4,6 @@
 #ifndef stickslip_tests_creeping_scene_h
 #define stickslip_tests_creeping_scene_h
 
-#include <sstream>
 #include <string>
 
 namespace StickSlip::Tests
@@ -76,21 +75,6 @@ subsection Time
 end
 )";
 
-
-
-  /** Creeping bodies without what has as many numbers as the space has
-   * dimensions. */
-  inline std::string
-  creeping_bodies_of_any_dimension()
-  {
-    std::istringstream lines(creeping_bodies);
-    std::string        text;
-    for (std::string line; std::getline(lines, line);)
-      if (line.find("corner") == std::string::npos &&
-          line.find("Coarse cells") == std::string::npos)
-        text += line + "\n";
-    return text;
-  }
 } // namespace StickSlip::Tests
 
 #endif

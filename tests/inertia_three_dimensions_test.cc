@@ -2,14 +2,12 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>
 
-#include "creeping_scene.h"
-#include "temporary_folder.h"
+#include "creeping_of_any_dimension.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -32,24 +30,13 @@ namespace
                            "Time/Largest step=0.02",
                            "Time/End time=1.4"};
 
-  const Settings in_the_plane = {"Bodies/lower/Lower lateral corner=-1",
-                                 "Bodies/upper/Lower lateral corner=-1",
-                                 "Bodies/lower/Upper lateral corner=1",
-                                 "Bodies/upper/Upper lateral corner=1",
-                                 "Bodies/lower/Coarse cells=4, 1",
-                                 "Bodies/upper/Coarse cells=3, 1"};
+  const Settings cells_in_the_plane = {"Bodies/lower/Coarse cells=4, 1",
+                                       "Bodies/upper/Coarse cells=3, 1"};
 
-  /** The plane scene, extended along y, on which nothing depends. */
-  const Settings in_space = {"Dimension=3",
-                             "Boundary conditions/Periodic along y=true",
-                             "Bodies/lower/Lower lateral corner=-1, 0",
-                             "Bodies/upper/Lower lateral corner=-1, 0",
-                             "Bodies/lower/Upper lateral corner=1, 1",
-                             "Bodies/upper/Upper lateral corner=1, 1",
-                             "Bodies/lower/Coarse cells=4, 2, 1",
-                             "Bodies/upper/Coarse cells=3, 1, 1",
-                             "Boundary conditions/lower bottom/z "
-                             "condition=fixed"};
+  /** Nothing depends on y. */
+  const Settings cells_in_space = {"Boundary conditions/Periodic along y=true",
+                                   "Bodies/lower/Coarse cells=4, 2, 1",
+                                   "Bodies/upper/Coarse cells=3, 1, 1"};
 
 
 
@@ -57,15 +44,8 @@ namespace
   FaultSnapshot<dim>
   fault_at_end(const std::vector<Settings> &settings)
   {
-    Settings overrides;
-    for (const Settings &more : settings)
-      overrides.insert(overrides.end(), more.begin(), more.end());
-    const TemporaryFolder folder;
-    Simulation<dim>       simulation(
-      SceneReader(folder.write("scene.prm", creeping_bodies_of_any_dimension()),
-                  overrides)
-        .template read<dim>(),
-      MPI_COMM_WORLD);
+    Simulation<dim> simulation(creeping_bodies_with<dim>(settings),
+                               MPI_COMM_WORLD);
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
@@ -100,12 +80,14 @@ namespace
 
 TEST_P(ThreeDimensions, ExtendedPlaneSceneIsThePlaneOne)
 {
-  const Settings         wave  = {"Time/Inertia=" + GetParam(),
-                                  "Faults/fault/a=0.1",
-                                  "Faults/fault/Normal stress function=2e5 * "
-                                           "(1 + 0.5 * cos(pi * x))"};
-  const FaultSnapshot<2> plane = fault_at_end<2>({common, in_the_plane, wave});
-  const FaultSnapshot<3> space = fault_at_end<3>({common, in_space, wave});
+  const Settings         wave = {"Time/Inertia=" + GetParam(),
+                                 "Faults/fault/a=0.1",
+                                 "Faults/fault/Normal stress function=2e5 * "
+                                         "(1 + 0.5 * cos(pi * x))"};
+  const FaultSnapshot<2> plane =
+    fault_at_end<2>({common, in_the_plane, cells_in_the_plane, wave});
+  const FaultSnapshot<3> space =
+    fault_at_end<3>({common, in_space, cells_in_space, wave});
   ASSERT_GT(space.points.size(), 2 * plane.points.size());
 
   double slowest = 1., fastest = 0.;
@@ -131,12 +113,14 @@ TEST_P(ThreeDimensions, ExtendedPlaneSceneIsThePlaneOne)
 
 TEST_P(ThreeDimensions, SlipHasTheDirectionOfTheLoad)
 {
-  const Settings         even  = {"Time/Inertia=" + GetParam(),
-                                  "Faults/fault/Initial state=1"};
-  const FaultSnapshot<2> plane = fault_at_end<2>({common, in_the_plane, even});
+  const Settings         even = {"Time/Inertia=" + GetParam(),
+                                 "Faults/fault/Initial state=1"};
+  const FaultSnapshot<2> plane =
+    fault_at_end<2>({common, in_the_plane, cells_in_the_plane, even});
   const FaultSnapshot<3> space =
     fault_at_end<3>({common,
                      in_space,
+                     cells_in_space,
                      even,
                      {"Boundary conditions/upper top/x value=0.6e-3",
                       "Boundary conditions/upper top/y condition=velocity",

@@ -52,23 +52,14 @@ def with_finer_steps(scene):
     }
 
 
-def least_characteristic_slip(scene):
-    return min(float(value) for entry, value in scene.items()
-               if entry.endswith("/Characteristic slip"))
-
-
 def measure(program, case, folder):
     """The row of a case."""
     result = run(program, text(case.scene), folder / "run", case.timeout)
     steps = result.number("Steps/accepted")
-    row = {
+    row = dict.fromkeys(COLUMNS, "") | {
         "case": f"{case.group}: {case.name}",
         "holds": "yes",
         "steps": f"{steps:.0f}" if steps is not None else "",
-        "iterations": "",
-        "error": "",
-        "in time": "",
-        "note": "",
     }
     is_constant = case.scene.get("Time/Step size control") == "constant"
     is_wrong = is_warned = False
@@ -106,32 +97,31 @@ def measure(program, case, folder):
         if defect is not None:
             notes.append(f"energy defect {abs(defect):.0e}")
             is_wrong = abs(defect) > LARGEST_DEFECT
-    if case.reference is not None and not result.message:
-        other = run(program, text(case.scene | case.reference), folder / "reference",
-                    5 * case.timeout)
+
+    def is_far_from(scene, name, column, largest):
+        """Note how far the run is from that of another scene in a column."""
+        other = run(program, text(scene), folder / column, 5 * case.timeout)
         if other.message:
-            notes.append(f"reference ({case.reference_name}): {other.message}")
+            notes.append(f"{name}: {other.message}")
             row["holds"] = "unknown"
-        else:
-            error = compare.difference(
-                result, other, least_characteristic_slip(case.scene)
-            )
-            row["error"] = f"{error:.0e}"
+            return False
+        slip = min(float(value) for entry, value in case.scene.items()
+                   if entry.endswith("/Characteristic slip"))
+        error = compare.difference(result, other, slip)
+        row[column] = f"{error:.0e}"
+        return not error <= largest
+
+    if case.reference is not None and not result.message:
+        is_wrong |= is_far_from(case.scene | case.reference,
+                                f"reference ({case.reference_name})", "error",
+                                LARGEST_ERROR)
+        if row["error"]:
             notes.append(f"reference: {case.reference_name}")
-            is_wrong = is_wrong or not error <= LARGEST_ERROR
     # The reference of constant steps is in time already.
     if not result.message and not is_constant:
-        finer = run(program, text(with_finer_steps(case.scene)), folder / "finer",
-                    5 * case.timeout)
-        if finer.message:
-            notes.append(f"with a tenth of the tolerances: {finer.message}")
-            row["holds"] = "unknown"
-        else:
-            error = compare.difference(
-                result, finer, least_characteristic_slip(case.scene)
-            )
-            row["in time"] = f"{error:.0e}"
-            is_wrong = is_wrong or not error <= LARGEST_ERROR_IN_TIME
+        is_wrong |= is_far_from(with_finer_steps(case.scene),
+                                "with a tenth of the tolerances", "in time",
+                                LARGEST_ERROR_IN_TIME)
     if is_wrong:
         row["holds"] = "warned" if is_warned else "no"
     row["note"] = "; ".join(notes)
@@ -161,7 +151,10 @@ def main():
     names = [f"{case.group}: {case.name}" for case in everything]
     names += tests.ROWS
     everything += tests.ROWS.values()
-    rows = {row["case"]: row for row in csv_file.read(DATA) if row["case"] in names}
+    # Rows from before a column was there, and those of tests, have nothing in it.
+    empty = dict.fromkeys(COLUMNS, "")
+    rows = {row["case"]: empty | row
+            for row in csv_file.read(DATA) if row["case"] in names}
     with tempfile.TemporaryDirectory(prefix="stickslip-hard-") as temporary:
         for number, (name, case) in enumerate(zip(names, everything)):
             if arguments.only and not any(t in name for t in arguments.only):
@@ -171,7 +164,7 @@ def main():
                 continue
             begin = time.monotonic()
             folder = (arguments.keep or pathlib.Path(temporary)) / str(number)
-            row = rows[name] = (
+            row = rows[name] = empty | (
                 case(folder)
                 if name in tests.ROWS
                 else measure(arguments.program, case, folder)
@@ -179,14 +172,10 @@ def main():
             print(f"{time.monotonic() - begin:5.1f} s  ",
                   " | ".join(row.values()), flush=True)
             if not arguments.dry:
-                csv_file.write(
-                    DATA,
-                    COLUMNS,
-                    [{"in time": ""} | rows[n] for n in names if n in rows],
-                )
+                csv_file.write(DATA, COLUMNS, [rows[n] for n in names if n in rows])
     if not arguments.list and not arguments.dry:
         cells = [
-            [rows[n].get(column, "").replace("|", "\\|") for column in COLUMNS]
+            [rows[n][column].replace("|", "\\|") for column in COLUMNS]
             for n in names if n in rows
         ]
         page.replace_section(
