@@ -17,7 +17,7 @@ namespace
     StationTable table;
     table.station      = {name, is_on_fault ? "main" : "plus", {7500., 0.}};
     table.is_on_fault  = is_on_fault;
-    table.element_size = 25.;
+    table.element_size = 24.9999999991;
     table.columns      = {{"slip", "m", "Slip"}, {"state", "log10 s", "State"}};
     return table;
   }

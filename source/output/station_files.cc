@@ -32,13 +32,24 @@ namespace StickSlip
 
 
 
+    /** A length without what rounding leaves of it. */
+    std::string
+    with_six_digits(const double value)
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), "%.6g", value);
+      return text;
+    }
+
+
+
     void
     write_header(TableFile          &file,
                  const StationTable &table,
                  const std::string  &problem)
     {
       file << "# problem=" << problem << "\n# code=stickslip\n"
-           << "# element_size=" << shortest_form(table.element_size) << " m\n"
+           << "# element_size=" << with_six_digits(table.element_size) << " m\n"
            << "# location= " << (table.is_on_fault ? "on fault " : "in body ")
            << table.station.place << ",";
       for (const double x : table.station.position)

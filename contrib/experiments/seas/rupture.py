@@ -8,9 +8,9 @@ import h5py
 import numpy as np
 
 from common import figures
+from experiments.seas import stations
+from experiments.seas.benchmarks import SHORTEST_INTERVAL, THRESHOLD, YEAR
 
-YEAR = 365 * 86400.
-THRESHOLD = 1e-3
 RIGIDITY = 2670. * 3464.**2
 # Frictional part, along strike from the middle and in depth, m.
 HALF_LENGTH, DEPTH = 50e3, 40e3
@@ -52,7 +52,7 @@ def spans(history):
     fast = history.rate.max(axis=(1, 2)) > THRESHOLD
     result = []
     for i in np.flatnonzero(fast):
-        if result and history.time[i] - history.time[result[-1][1]] < 30 * 86400.:
+        if result and history.time[i] - history.time[result[-1][1]] < SHORTEST_INTERVAL:
             result[-1][1] = i
         else:
             result.append([i, i])
@@ -118,9 +118,9 @@ def show_arrivals(history):
     print("  ".join(f"{y / 1e3:g}: {at(0., y):.1f}" for y in np.arange(0., 21e3, 4e3)))
 
 
-def draw(series, history):
-    figure, axes = figures.new_figure(4, height=11.)
-    axes[0].semilogy(series["time"] / YEAR, series["rate"], lw=0.7, color=figures.BLUE)
+def draw(folder, sequence, history):
+    figure, axes = figures.new_figure(5, height=13.)
+    axes[0].semilogy(sequence.time / YEAR, sequence.rate, lw=0.7, color=figures.BLUE)
     axes[0].axhline(THRESHOLD, lw=0.5, color=figures.GREY)
     axes[0].set(xlabel="time [yr]", ylabel="largest slip rate [m/s]")
     events = spans(history)
@@ -129,6 +129,7 @@ def draw(series, history):
                                    arrival_times(history, *events[0]).T,
                                    levels=np.arange(0., 200., 5.), linewidths=0.8)
         axes[1].clabel(contours, contours.levels[::2], fontsize=7)
+    axes[1].invert_yaxis()
     axes[1].set(xlabel="along strike [km]", ylabel="depth [km]",
                 title="arrival of the first rupture [s]")
     in_event = np.zeros(len(history.time), bool)
@@ -149,4 +150,5 @@ def draw(series, history):
                        color=figures.VERMILION if fast else figures.BLUE)
         frame.set(xlabel=label, ylabel="slip [m]")
     axes[2].set(title="slip every 10 yr (blue) and every 2 s of events (red)")
+    stations.draw(axes[4], "bp5", folder)
     return figure
