@@ -118,6 +118,14 @@ CASES = {
 }
 
 
+def read_scene(tests):
+    """The creeping scene, but for entries with as many numbers as the space has
+    dimensions, which are in the settings."""
+    text = (tests / "creeping_scene.h").read_text()
+    scene = re.search(r'R"\((.*?)\)"', text, re.DOTALL).group(1)
+    return re.sub(r"^.*(corner|Coarse cells).*\n", "", scene, flags=re.MULTILINE)
+
+
 class Runs:
     """Runs of the program in one folder."""
 
@@ -339,10 +347,7 @@ def main():
     parser.add_argument("--seed", type=int)
     arguments = parser.parse_intermixed_args()
     seed = random.randrange(10**6) if arguments.seed is None else arguments.seed
-    text = (arguments.tests / "creeping_scene.h").read_text()
-    scene = re.search(r'R"\((.*?)\)"', text, re.DOTALL).group(1)
-    # What has as many numbers as the space has dimensions is in the settings.
-    scene = re.sub(r"^.*(corner|Coarse cells).*\n", "", scene, flags=re.MULTILINE)
+    scene = read_scene(arguments.tests)
     n_problems = 0
     for name, (settings, n_processes, is_long) in CASES.items():
         if (name not in arguments.names) if arguments.names else (

@@ -8,6 +8,7 @@
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/input_error.h>
 
+#include <new>
 #include <sstream>
 
 namespace StickSlip
@@ -52,6 +53,8 @@ namespace StickSlip
   std::string
   sentence(const std::exception &error)
   {
+    if (dynamic_cast<const std::bad_alloc *>(&error) != nullptr)
+      return "There is not enough memory.";
     std::stringstream text;
     if (const auto *const internal =
           dynamic_cast<const dealii::ExceptionBase *>(&error))
