@@ -5,9 +5,10 @@
 // allocation with a given number, counted from MPI_Init on. See
 // check_failures.py.
 
+#include <dlfcn.h>
+
 #include <cstdio>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <new>
 
 namespace
@@ -20,9 +21,9 @@ namespace
 
     Failure()
     {
-      const char *const process = std::getenv("OMPI_COMM_WORLD_RANK"),
-                 *const chosen  = std::getenv("FAILING_PROCESS"),
-                 *const at      = std::getenv("FAILING_ALLOCATION");
+      const char *const        process = std::getenv("OMPI_COMM_WORLD_RANK"),
+                        *const chosen  = std::getenv("FAILING_PROCESS"),
+                        *const at      = std::getenv("FAILING_ALLOCATION");
       if (process && chosen && at && std::atoi(process) == std::atoi(chosen))
         {
           is_here = true;
