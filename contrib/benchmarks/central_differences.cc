@@ -25,6 +25,7 @@
 namespace
 {
   using namespace Measure;
+  using namespace StickSlip;
 
   constexpr int dim = 2;
   using Problem     = SpatialProblem<dim>;
