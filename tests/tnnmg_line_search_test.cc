@@ -23,11 +23,13 @@ namespace
     LineSearchResult
     search()
     {
-      return find_step_length([this](const double t) {
+      const auto asked = [this](const double t) {
         ++calls;
         largest = std::max(largest, t);
         return slope(t);
-      });
+      };
+      const double at_start = asked(0.), at_end = asked(1.);
+      return find_step_length(asked, at_start, at_end);
     }
   };
 } // namespace

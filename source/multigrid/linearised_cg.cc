@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/algebra/local_products.h>
 #include <stickslip/multigrid/linearised_cg.h>
 
 namespace StickSlip
@@ -45,19 +48,33 @@ namespace StickSlip
       {
         precondition(preconditioned, r);
         ++steps;
-        const double rz = r * preconditioned;
-        if (!(rz > rz_small))
-          break;
+        double rz = 0.;
         if (steps == 1)
-          {
-            direction = preconditioned;
-            rz_small  = reduction * reduction * rz;
-          }
+          direction = preconditioned;
         else
-          direction.sadd(rz / rz_old, 1., preconditioned);
+          {
+            rz = r * preconditioned;
+            if (!(rz > rz_small))
+              break;
+            direction.sadd(rz / rz_old, 1., preconditioned);
+          }
         A.matrix().vmult(A_direction, direction);
         A.add_hessians(A_direction, 1., hessians, direction);
-        const double curvature = direction * A_direction;
+        double curvature = local_product(direction, A_direction);
+        if (steps == 1)
+          {
+            // Both in one message: most corrections are of a single step.
+            const auto both =
+              sums<2>({{local_product(r, preconditioned), curvature}},
+                      r.get_mpi_communicator());
+            rz        = both[0];
+            curvature = both[1];
+            rz_small  = reduction * reduction * rz;
+            if (!(rz > 0.))
+              break;
+          }
+        else
+          curvature = Utilities::MPI::sum(curvature, r.get_mpi_communicator());
         if (!(curvature > 0.))
           break;
         const double length = rz / curvature;

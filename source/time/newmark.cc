@@ -11,11 +11,14 @@ namespace StickSlip
                                        const SystemState<dim> &from,
                                        const double            tau) const
   {
-    to.displacement = known_displacement(from, tau);
-    to.displacement.add(tau / 2., to.velocity);
-    to.acceleration = from.acceleration;
-    to.acceleration *= -1.;
-    to.acceleration.add(2. / tau, to.velocity, -2. / tau, from.velocity);
+    NodalVector u = known_displacement(from, tau);
+    u.add(tau / 2., to.velocity);
+    NodalVector a = from.acceleration;
+    a *= -1.;
+    a.add(2. / tau, to.velocity, -2. / tau, from.velocity);
+    // To assign to vectors without a partition takes messages.
+    to.displacement.swap(u);
+    to.acceleration.swap(a);
     to.slip = from.slip;
     for (unsigned int k = 0; k < to.slip.size(); ++k)
       to.slip[k] += tau / 2. * (from.slip_rate[k] + to.slip_rate[k]);

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <stickslip/algebra/local_products.h>
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/condensed/condensed_solver.h>
@@ -249,7 +250,9 @@ namespace StickSlip
           from.normal_stress,
           end_pressure(to.contact_pressure, from, tau, touching));
       }
-    to.velocity = prediction ? prediction->velocity : from.velocity;
+    // Swapped in: to assign to a vector without a partition takes a message.
+    NodalVector(prediction ? prediction->velocity : from.velocity)
+      .swap(to.velocity);
     problem.boundary_values().set_velocities(to.time, to.velocity);
     return to;
   }
@@ -513,7 +516,11 @@ namespace StickSlip
     to.balancing_traction = balancing_tractions(
       fault_nodes, node_laws, to, problem.operators().matrix(), rhs, w);
     time_scheme->complete(to, from, tau);
-    if (!std::isfinite(to.velocity.l2_norm() + to.displacement.l2_norm()))
+    const auto squares =
+      sums<2>({{local_product(to.velocity, to.velocity),
+                local_product(to.displacement, to.displacement)}},
+              to.velocity.get_mpi_communicator());
+    if (!std::isfinite(squares[0] + squares[1]))
       throw StepFailure("the solution is not a number");
   }
 

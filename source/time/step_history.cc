@@ -20,8 +20,9 @@ namespace StickSlip
                                          const double step_size) const
   {
     PastState<dim> result;
-    result.step_size        = step_size;
-    result.velocity         = state.velocity;
+    result.step_size = step_size;
+    // To assign to a vector without a partition takes a message.
+    NodalVector(state.velocity).swap(result.velocity);
     result.alpha            = state.alpha;
     result.slip_rate        = state.slip_rate;
     result.normal_stress    = state.normal_stress;

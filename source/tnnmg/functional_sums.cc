@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <stickslip/tnnmg/functional_sums.h>
@@ -158,7 +157,7 @@ namespace StickSlip
     for (unsigned int k = 0; k < nodes.size(); ++k)
       sum += functional.value(k, block<n_components>(w, nodes[k])) -
              functional.value(k, block<n_components>(v, nodes[k]));
-    return Utilities::MPI::sum(sum, w.get_mpi_communicator());
+    return sum;
   }
 
 
@@ -184,7 +183,7 @@ namespace StickSlip
           v = functional.project(k, v);
         sum += functional.directional_derivative(k, v, direction);
       }
-    return Utilities::MPI::sum(sum, w.get_mpi_communicator());
+    return sum;
   }
 
 

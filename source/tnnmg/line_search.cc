@@ -8,16 +8,17 @@
 namespace StickSlip
 {
   LineSearchResult
-  find_step_length(const std::function<double(double)> &slope)
+  find_step_length(const std::function<double(double)> &slope,
+                   const double                         at_start,
+                   const double                         at_end)
   {
     constexpr double       sufficient_fraction = 0.1;
     constexpr unsigned int max_evaluations     = 100;
 
     LineSearchResult result;
-    const double     initial = slope(0.);
-    double           upper = 1., slope_upper = slope(upper);
+    double           upper = 1., slope_upper = at_end;
     result.evaluations = 2;
-    if (!(initial < 0.) || !std::isfinite(slope_upper))
+    if (!(at_start < 0.) || !std::isfinite(slope_upper))
       return result;
     if (slope_upper <= 0.)
       {
@@ -27,10 +28,10 @@ namespace StickSlip
 
     // Regula falsi in the Illinois form, with bisection in every third step
     // against slopes of very different size at the two ends.
-    double lower = 0., slope_lower = initial;
+    double lower = 0., slope_lower = at_start;
     double weight_lower = 1., weight_upper = 1.;
     while (result.evaluations < max_evaluations &&
-           slope_lower < sufficient_fraction * initial &&
+           slope_lower < sufficient_fraction * at_start &&
            upper - lower > 1e-15 * upper)
       {
         const double a = weight_lower * slope_lower,

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/local_products.h>
 #include <stickslip/tnnmg/line_search.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
@@ -64,13 +65,35 @@ namespace StickSlip
 
 
   template <int n_components>
+  LineSearchResult
+  NonsmoothSolver<n_components>::step_length_of(
+    const std::function<double(double)> &slope_here,
+    const double                         slope_at_start,
+    const double                         slope_at_end,
+    const double                         linear,
+    const double                         square) const
+  {
+    const MPI_Comm communicator = unknowns.nodes.communicator();
+    return find_step_length(
+      [&](const double t) {
+        return Utilities::MPI::sum(slope_here(t), communicator) - linear +
+               t * square;
+      },
+      slope_at_start - linear,
+      slope_at_end - linear + square);
+  }
+
+
+
+  template <int n_components>
   IterationSummary
   NonsmoothSolver<n_components>::carry_out_steps(
     const NonsmoothFunctional<n_components> &functional,
     const NodalVector                       &b,
     NodalVector                             &w)
   {
-    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
+    const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
+    const MPI_Comm                   communicator = w.get_mpi_communicator();
     IterationSummary                 summary;
     previous = w;
 
@@ -85,33 +108,40 @@ namespace StickSlip
     diagonal_blocks.clear();
     for (unsigned int k = 0; k < nodes.size(); ++k)
       diagonal_blocks.push_back(diagonal_block(k));
-    active              = unknowns.fixed;
-    summary.n_truncated = Utilities::MPI::sum(linearise(functional,
-                                                        nodes,
-                                                        parameters,
-                                                        diagonal_blocks,
-                                                        w,
-                                                        force,
-                                                        hessians,
-                                                        active),
-                                              w.get_mpi_communicator());
+    active                         = unknowns.fixed;
+    const unsigned int n_truncated = linearise(functional,
+                                               nodes,
+                                               parameters,
+                                               diagonal_blocks,
+                                               w,
+                                               force,
+                                               hessians,
+                                               active);
 
     std::vector<BoundComponent> at_bound;
     summary.cycles = find_correction(functional, w, force, at_bound);
 
-    const double linear = correction * new_residual;
-    const double square = correction * A_correction;
-    const auto   slope  = [&](const double t) {
-      return slope_of(functional, nodes, w, correction, t) - linear +
-             t * square;
+    // Everything that the line search begins with, in one message.
+    const auto slope_here = [&](const double t) {
+      return slope_of(functional, nodes, w, correction, t);
     };
-    const LineSearchResult line_search = find_step_length(slope);
-    const double           t           = line_search.step_length;
-    summary.step_length                = t;
-    summary.line_search_evaluations    = line_search.evaluations;
+    const auto [linear, square, slope_at_start, slope_at_end, n_all] =
+      sums<5>({{local_product(correction, new_residual),
+                local_product(correction, A_correction),
+                slope_here(0.),
+                slope_here(1.),
+                double(n_truncated)}},
+              communicator);
+    summary.n_truncated = std::lround(n_all);
+    const LineSearchResult line_search =
+      step_length_of(slope_here, slope_at_start, slope_at_end, linear, square);
+    const double t                  = line_search.step_length;
+    summary.step_length             = t;
+    summary.line_search_evaluations = line_search.evaluations;
 
     // The condition is not only for speed: zero times NaN would spoil the
     // iterate.
+    double increase_here = 0.;
     if (t > 0.)
       {
         NodalVector &smoothed = scratch;
@@ -122,8 +152,7 @@ namespace StickSlip
           for (const BoundComponent &bound : at_bound)
             w.local_element(bound.node * n_components + bound.component) =
               bound.value;
-        summary.correction_decrease = t * linear - 0.5 * t * t * square -
-                                      increase(functional, nodes, w, smoothed);
+        increase_here = increase(functional, nodes, w, smoothed);
         new_residual.add(-t, A_correction);
       }
 
@@ -132,13 +161,19 @@ namespace StickSlip
     NodalVector &change = previous;
     change.sadd(-1., 1., w);
     residual -= new_residual;
-    summary.correction_norm = std::sqrt(std::abs(change * residual));
-    residual                = new_residual;
-
-    NodalVector &A_w = scratch;
-    A_w              = b;
+    const double change_here = local_product(change, residual);
+    residual                 = new_residual;
+    NodalVector &A_w         = scratch;
+    A_w                      = b;
     A_w -= residual;
-    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + w * A_w));
+    const auto [increase_of_all, change_of_all, iterate_of_all] =
+      sums<3>({{increase_here, change_here, local_product(w, A_w)}},
+              communicator);
+    if (t > 0.)
+      summary.correction_decrease =
+        t * linear - 0.5 * t * t * square - increase_of_all;
+    summary.correction_norm = std::sqrt(std::abs(change_of_all));
+    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
     return summary;
   }
 
@@ -225,29 +260,39 @@ namespace StickSlip
     // d of w, where r = b - A w.
     correction = w;
     correction -= previous;
-    const double old_part = correction * residual,
-                 new_part = correction * new_residual;
-    summary.smoother_decrease =
-      0.5 * (old_part + new_part) - increase(functional, nodes, w, previous);
+    const MPI_Comm communicator = w.get_mpi_communicator();
+    const auto [old_part, new_part, increase_of_all] =
+      sums<3>({{local_product(correction, residual),
+                local_product(correction, new_residual),
+                increase(functional, nodes, w, previous)}},
+              communicator);
+    summary.smoother_decrease = 0.5 * (old_part + new_part) - increase_of_all;
 
     // Processes that move neighbours at the same time may go too far together.
     // A d = r_old - r_new.
     if (residual.get_partitioner()->n_mpi_processes() == 1 ||
         summary.smoother_decrease >= 0. || !std::isfinite(old_part + new_part))
       return;
-    const double t =
-      find_step_length([&](const double s) {
-        return slope_of(functional, nodes, previous, correction, s) - old_part +
-               s * (old_part - new_part);
-      }).step_length;
+    const auto slope_here = [&](const double s) {
+      return slope_of(functional, nodes, previous, correction, s);
+    };
+    const auto [slope_at_start, slope_at_end] =
+      sums<2>({{slope_here(0.), slope_here(1.)}}, communicator);
+    const double t = step_length_of(slope_here,
+                                    slope_at_start,
+                                    slope_at_end,
+                                    old_part,
+                                    old_part - new_part)
+                       .step_length;
     summary.smoother_step_length = t;
     w                            = previous;
     w.add(t, correction);
     project(functional, nodes, w);
     new_residual.sadd(t, 1. - t, residual);
-    summary.smoother_decrease = t * old_part -
-                                0.5 * t * t * (old_part - new_part) -
-                                increase(functional, nodes, w, previous);
+    summary.smoother_decrease =
+      t * old_part - 0.5 * t * t * (old_part - new_part) -
+      Utilities::MPI::sum(increase(functional, nodes, w, previous),
+                          communicator);
   }
 
 

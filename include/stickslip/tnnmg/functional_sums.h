@@ -12,12 +12,12 @@
 namespace StickSlip
 {
   /*
-   * Sums over the terms of a nonsmooth functional phi, whose @p nodes are given
-   * by their numbers in the vectors. The functions are collective unless they
-   * say otherwise.
+   * Sums over the terms of a nonsmooth functional phi that this process has,
+   * whose @p nodes are given by their numbers in the vectors. None is
+   * collective: several of them are added up over all processes at once.
    */
 
-  /** The components of one node, given by its local index. Not collective. */
+  /** The components of one node, given by its local index. */
   template <int n_components>
   inline Tensor<1, n_components>
   block(const NodalVector &vector, const unsigned int node)
@@ -29,7 +29,7 @@ namespace StickSlip
   }
 
   /** Move @p w to the next point of the domain of phi; nothing is done if phi
-   * has no bounds. Not collective. */
+   * has no bounds. */
   template <int n_components>
   void
   project(const NonsmoothFunctional<n_components> &functional,
@@ -45,8 +45,7 @@ namespace StickSlip
   };
 
   /** Shorten @p d so that w + d is that point of the domain of phi which is
-   * next to the original w + d. Returns what was shortened on this process; not
-   * collective. */
+   * next to the original w + d. Returns what was shortened. */
   template <int n_components>
   std::vector<BoundComponent>
   project_step(const NonsmoothFunctional<n_components> &functional,
@@ -54,8 +53,7 @@ namespace StickSlip
                const NodalVector                       &w,
                NodalVector                             &d);
 
-  /** phi(w) - phi(v) summed term by term, so that little cancels; over all
-   * processes. */
+  /** phi(w) - phi(v) summed term by term, so that little cancels. */
   template <int n_components>
   double
   increase(const NonsmoothFunctional<n_components> &functional,
@@ -63,8 +61,8 @@ namespace StickSlip
            const NodalVector                       &w,
            const NodalVector                       &v);
 
-  /** The derivative of phi at w + t d in direction d, over all processes,
-   * where w and w + d are in the domain of phi and 0 <= t <= 1. */
+  /** The derivative of phi at w + t d in direction d, where w and w + d are in
+   * the domain of phi and 0 <= t <= 1. */
   template <int n_components>
   double
   slope_of(const NonsmoothFunctional<n_components> &functional,
@@ -73,7 +71,7 @@ namespace StickSlip
            const NodalVector                       &d,
            const double                             t);
 
-  /** r -= the gradient of phi at w. Not collective. */
+  /** r -= the gradient of phi at w. */
   template <int n_components>
   void
   subtract_gradient(const NonsmoothFunctional<n_components> &functional,
@@ -91,8 +89,7 @@ namespace StickSlip
    * diagonal of A, @p diagonal_blocks. Without nonlinear smoothing it is the
    * second derivative of phi, and only those are truncated where there is none.
    *
-   * Returns the number of truncated components of this process; not
-   * collective.
+   * Returns the number of truncated components.
    */
   template <int n_components>
   unsigned int

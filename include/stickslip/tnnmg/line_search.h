@@ -19,7 +19,8 @@ namespace StickSlip
 
   /**
    * Step length along a direction of descent of a convex function, from its
-   * directional derivative @p slope at step lengths in [0, 1]: the values of
+   * directional derivative @p slope at step lengths in [0, 1], which is
+   * @p at_start at 0 and @p at_end at 1: the values of
    * the function itself drown in rounding near the minimum.
    *
    * Returns 1 if the function still decreases there, else a length at which
@@ -29,7 +30,9 @@ namespace StickSlip
    * function; it is 0 if the direction is none of descent.
    */
   LineSearchResult
-  find_step_length(const std::function<double(double)> &slope);
+  find_step_length(const std::function<double(double)> &slope,
+                   const double                         at_start,
+                   const double                         at_end);
 } // namespace StickSlip
 
 #endif

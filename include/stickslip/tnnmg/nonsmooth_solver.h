@@ -8,6 +8,7 @@
 #include <stickslip/multigrid/kept_linearisation.h>
 #include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/iteration_summary.h>
+#include <stickslip/tnnmg/line_search.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 #include <stickslip/tnnmg/solver_parameters.h>
 
@@ -150,6 +151,16 @@ namespace StickSlip
                     const NodalVector                       &w,
                     NodalVector                             &force,
                     std::vector<BoundComponent>             &at_bound);
+
+    /** The length of a step along which the quadratic part of J has the slope
+     * -linear + t square, and phi that of which @p slope_here is the part of
+     * this process; both ends of it are known. Collective. */
+    LineSearchResult
+    step_length_of(const std::function<double(double)> &slope_here,
+                   const double                         slope_at_start,
+                   const double                         slope_at_end,
+                   const double                         linear,
+                   const double                         square) const;
 
     NodeMask                             active;
     std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
