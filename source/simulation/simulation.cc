@@ -67,7 +67,6 @@ namespace StickSlip
                                             const MPI_Comm &communicator)
     : scene(checked_scene(scene, communicator))
     , communicator(communicator)
-    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , mesh_hierarchy(scene.coarse_bodies(),
                      scene.topology,
                      communicator,
@@ -178,7 +177,7 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::set_up()
   {
-    TimerOutput::Scope section(timer, "Initial equilibrium");
+    SectionTimes::Scope section(times, "Initial equilibrium");
 
     const InitialEquilibrium<dim> equilibrium =
       solve_initial_equilibrium(problem);
@@ -283,7 +282,7 @@ namespace StickSlip
     std::vector<StepResult<dim>> accepted;
     try
       {
-        TimerOutput::Scope section(timer, "Time steps");
+        SectionTimes::Scope section(times, "Time steps");
         accepted = step_size_controller->advance(state(), run_state.steps);
       }
     catch (const StepSizeTooSmall &failure)
@@ -330,7 +329,7 @@ namespace StickSlip
     counts.add(step.step_size, step.counts);
     if (energy)
       {
-        TimerOutput::Scope section(timer, "Energy balance");
+        SectionTimes::Scope section(times, "Energy balance");
         complete_step(step);
         energy->add(step);
       }
@@ -339,7 +338,7 @@ namespace StickSlip
       counts.most_in_tension = std::max(
         counts.most_in_tension,
         following_stress.n_in_tension(faults, laws, state().contact_pressure));
-    TimerOutput::Scope section(timer, "Output");
+    SectionTimes::Scope section(times, "Output");
     if (record)
       record->add({counts.accepted,
                    state().time,
@@ -384,7 +383,7 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::follow_contact()
   {
-    TimerOutput::Scope section(timer, "Contact mapping");
+    SectionTimes::Scope section(times, "Contact mapping");
     complete_state();
     SystemState<dim> &current = run_state.system;
     ++run_state.counts.contact_mappings;
@@ -507,7 +506,7 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::write_checkpoint(Checkpoints &checkpoints)
   {
-    TimerOutput::Scope section(timer, "Checkpoints");
+    SectionTimes::Scope section(times, "Checkpoints");
     write_state(checkpoints.file(run_state.counts.accepted));
     checkpoints.note_written(state().time);
   }
@@ -524,7 +523,7 @@ namespace StickSlip
                                         problem,
                                         run_state,
                                         energy.get(),
-                                        timer,
+                                        times,
                                         construction_timer.last_wall_time(),
                                         communicator),
                    energy.get());

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <stickslip/base/section_times.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/checkpoints.h>
 #include <stickslip/simulation/run_record.h>
@@ -165,7 +166,7 @@ namespace StickSlip
     const SceneParameters<dim> scene;
     const MPI_Comm             communicator;
     Timer                      construction_timer;
-    mutable TimerOutput        timer;
+    SectionTimes               times;
 
     MeshHierarchy<dim>                mesh_hierarchy;
     BoundaryValues<dim, n_components> boundary_values;

@@ -4,8 +4,7 @@
 #ifndef stickslip_simulation_simulation_summary_h
 #define stickslip_simulation_simulation_summary_h
 
-#include <deal.II/base/timer.h>
-
+#include <stickslip/base/section_times.h>
 #include <stickslip/output/run_summary.h>
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/scene/scene_parameters.h>
@@ -27,7 +26,7 @@ namespace StickSlip
                        const SpatialProblem<dim, n_components> &problem,
                        const RunState<dim, n_components>       &state,
                        const EnergyBalance<dim, n_components>  *energy,
-                       const TimerOutput                       &timer,
+                       const SectionTimes                      &section_times,
                        const double                             construction,
                        const MPI_Comm                           communicator);
 } // namespace StickSlip
