@@ -7,30 +7,6 @@ namespace StickSlip
 {
   namespace Kernels
   {
-    namespace
-    {
-      /** s += the block at a position times the part of x that it belongs to,
-       * entry by entry: products of a block are independent of each other and
-       * vectorise. */
-      template <int n_components>
-      inline void
-      add_block(const BlockRows<double> &A,
-                const unsigned int       position,
-                const double            *x,
-                double                  *s)
-      {
-        const double *a = A.values + static_cast<unsigned long>(position) *
-                                       n_components * n_components;
-        const double *y =
-          x + static_cast<unsigned long>(A.column[position]) * n_components;
-        for (int c = 0; c < n_components; ++c)
-          for (int d = 0; d < n_components; ++d)
-            s[c * n_components + d] += a[c * n_components + d] * y[d];
-      }
-    } // namespace
-
-
-
     template <int n_components>
     double
     quadratic_form(const BlockRows<double> &A,
@@ -39,27 +15,40 @@ namespace StickSlip
                    const double            *x)
     {
       constexpr int n_entries = n_components * n_components;
-      double        total     = 0.;
+      // Sums over all rows of each entry of a block, added up at the end.
+      double sum[n_entries] = {};
+      // Products of a block are independent of each other and vectorise: s +=
+      // the block at a position times the part of x that it belongs to.
+      const auto add_to = [&](const unsigned int position, double *s) {
+        const double *a =
+          A.values + static_cast<unsigned long>(position) * n_entries;
+        const double *y =
+          x + static_cast<unsigned long>(A.column[position]) * n_components;
+        for (int c = 0; c < n_components; ++c)
+          for (int d = 0; d < n_components; ++d)
+            s[c * n_components + d] += a[c * n_components + d] * y[d];
+      };
       for (unsigned int i = 0; i < n_rows; ++i)
         {
           // Blocks that count once: the diagonal and those of ghosts.
           double once[n_entries] = {}, twice[n_entries] = {};
-          add_block<n_components>(A, diagonal[i], x, once);
-          unsigned int       position = diagonal[i] + 1;
-          const unsigned int end      = A.row_start[i + 1];
-          for (; position < end && A.column[position] < n_rows; ++position)
-            add_block<n_components>(A, position, x, twice);
-          for (; position < end; ++position)
-            add_block<n_components>(A, position, x, once);
+          add_to(diagonal[i], once);
+          unsigned int end = A.row_start[i + 1];
+          for (; A.column[end - 1] >= n_rows; --end)
+            add_to(end - 1, once);
+          for (unsigned int position = diagonal[i] + 1; position < end;
+               ++position)
+            add_to(position, twice);
+          const double *x_i = x + static_cast<unsigned long>(i) * n_components;
           for (int c = 0; c < n_components; ++c)
-            {
-              double of_row = 0.;
-              for (int d = 0; d < n_components; ++d)
-                of_row +=
-                  once[c * n_components + d] + 2. * twice[c * n_components + d];
-              total += x[i * n_components + c] * of_row;
-            }
+            for (int d = 0; d < n_components; ++d)
+              sum[c * n_components + d] +=
+                x_i[c] *
+                (once[c * n_components + d] + 2. * twice[c * n_components + d]);
         }
+      double total = 0.;
+      for (const double of_entry : sum)
+        total += of_entry;
       return total;
     }
 

@@ -58,6 +58,15 @@ namespace StickSlip
                        [&]() { check_materials(meshes.finest(), materials); });
       return materials;
     }
+
+
+
+    TimeParameters
+    with_solver(TimeParameters parameters, const RateSolver solver)
+    {
+      parameters.rate_solver = solver;
+      return parameters;
+    }
   } // namespace
 
 
@@ -83,6 +92,9 @@ namespace StickSlip
               make_slip_rates(scene),
               BackgroundStress<dim>(scene.faults),
               make_opening_parts(scene))
+    , rate_solver(
+        choose_rate_solver(this->scene.time, this->scene.tnnmg, problem))
+    , time_parameters(with_solver(this->scene.time, rate_solver.solver))
     , laws(make_node_laws(scene, problem.jump_basis()))
     , openings(make_node_openings(scene, problem))
   {
@@ -99,6 +111,9 @@ namespace StickSlip
     if (!step_size_controller)
       set_up();
     open_record();
+    if (!rate_solver.reason.empty() &&
+        Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cout << "Rate solver: " << text_of(rate_solver) << '.' << std::endl;
 
     // From here on a signal ends the run after the current step.
     const Interrupt interrupt;
@@ -261,7 +276,7 @@ namespace StickSlip
       problem,
       faults,
       laws,
-      scene.time,
+      time_parameters,
       scene.tnnmg,
       following_stress,
       UnilateralContact<dim>(faults, openings, run_state.stress_offset));
@@ -523,6 +538,7 @@ namespace StickSlip
                                         problem,
                                         run_state,
                                         energy.get(),
+                                        rate_solver,
                                         times,
                                         construction_timer.last_wall_time(),
                                         communicator),

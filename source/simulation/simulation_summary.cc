@@ -238,6 +238,7 @@ namespace StickSlip
                        const SpatialProblem<dim, n_components> &problem,
                        const RunState<dim, n_components>       &state,
                        const EnergyBalance<dim, n_components>  *energy,
+                       const RateSolverChoice                  &rate_solver,
                        const SectionTimes                      &section_times,
                        const double                             construction,
                        const MPI_Comm                           communicator)
@@ -262,6 +263,8 @@ namespace StickSlip
                         state.largest_gaps,
                         body_names,
                         names_of(scene.faults));
+    if (!rate_solver.reason.empty())
+      summary.add_section("Rate solver").add("chosen", text_of(rate_solver));
     summarise_steps(summary, state, scene.time.control);
     if (energy != nullptr && problem.is_coupled())
       summarise_energy(summary, *energy, state.system, scene.time.inertia);

@@ -10,6 +10,7 @@
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_state.h>
 #include <stickslip/time/energy_balance.h>
+#include <stickslip/time/rate_solver_choice.h>
 
 namespace StickSlip
 {
@@ -26,6 +27,7 @@ namespace StickSlip
                        const SpatialProblem<dim, n_components> &problem,
                        const RunState<dim, n_components>       &state,
                        const EnergyBalance<dim, n_components>  *energy,
+                       const RateSolverChoice                  &rate_solver,
                        const SectionTimes                      &section_times,
                        const double                             construction,
                        const MPI_Comm                           communicator);
