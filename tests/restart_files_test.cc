@@ -10,7 +10,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <thread>
 
 #include "error_message.h"
 #include "temporary_folder.h"
@@ -75,6 +80,69 @@ TEST(TableFile, GoesOnBehindACompleteRow)
   EXPECT_EQ(content_of(name), "a,b\n1,0.10000000000000001\n3\n");
   std::filesystem::remove(name);
   file << 4;
+  expect_one_sentence_with(message_of([&]() { file.end_row(); }),
+                           {name, "it is not there any more"});
+}
+
+
+
+/* A stream of 17 digits is what they have been written with before. */
+TEST(TableFile, WritesNumbersAsAStreamDoes)
+{
+  using Limits                                   = std::numeric_limits<double>;
+  std::vector<double>                    numbers = {0.,
+                                                    -0.,
+                                                    1.,
+                                                    -100.,
+                                                    1e15,
+                                                    1e16,
+                                                    123456789012345678.,
+                                                    1e-4,
+                                                    1e-5,
+                                                    0.1,
+                                                    1. / 3,
+                                                    Limits::max(),
+                                                    Limits::min(),
+                                                    Limits::denorm_min(),
+                                                    Limits::infinity(),
+                                                    -Limits::infinity(),
+                                                    Limits::quiet_NaN(),
+                                                    -Limits::quiet_NaN()};
+  std::mt19937                           generator(1);
+  std::uniform_real_distribution<double> digits(-1., 1.);
+  std::uniform_int_distribution<int>     exponent(-300, 300);
+  for (unsigned int i = 0; i < 2000; ++i)
+    numbers.push_back(digits(generator) * std::pow(10., exponent(generator)));
+
+  const TemporaryFolder folder;
+  std::ostringstream    expected;
+  expected.precision(Limits::max_digits10);
+  TableFile file(folder.file("table.csv"));
+  for (const double number : numbers)
+    {
+      expected << number << ',';
+      file << number << ',';
+    }
+  expected << "text" << 7u << ' ' << std::string("more") << -3 << '\n';
+  file << "text" << 7u << ' ' << std::string("more") << -3;
+  file.end_row();
+  EXPECT_EQ(content_of(folder.file("table.csv")), expected.str());
+}
+
+
+
+TEST(TableFile, MissesItsFolder)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("results"));
+  const std::string name = folder.file("results/table.csv");
+  TableFile         file(name);
+  file << "a,b";
+  file.end_row();
+  std::filesystem::rename(folder.file("results"), folder.file("elsewhere"));
+  // Names are looked up no more often than this.
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  file << 1;
   expect_one_sentence_with(message_of([&]() { file.end_row(); }),
                            {name, "it is not there any more"});
 }

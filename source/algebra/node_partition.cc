@@ -47,12 +47,15 @@ namespace StickSlip
   std::vector<double>
   gather_on_first(const NodalVector &vector)
   {
+    const MPI_Comm      communicator = vector.get_mpi_communicator();
+    std::vector<double> all(vector.begin(),
+                            vector.begin() + vector.locally_owned_size());
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return all;
     // Owned ranges follow each other in the order of the processes.
-    std::vector<double> all;
-    for (const std::vector<double> &part : Utilities::MPI::gather(
-           vector.get_mpi_communicator(),
-           std::vector<double>(vector.begin(),
-                               vector.begin() + vector.locally_owned_size())))
+    const auto parts = Utilities::MPI::gather(communicator, all);
+    all.clear();
+    for (const std::vector<double> &part : parts)
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }

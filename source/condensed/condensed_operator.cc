@@ -268,7 +268,8 @@ namespace StickSlip
   CondensedOperator<n_components>::recall(
     const KeptLinearisation<n_components> &kept)
   {
-    if (!kept.is_set)
+    // Another solver's says nothing here.
+    if (!kept.is_set || kept.active.n_nodes() != entries.of_node.size())
       return;
     std::vector<bool> active(entries.size());
     for (unsigned int k = 0; k < entries.of_node.size(); ++k)

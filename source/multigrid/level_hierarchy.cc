@@ -179,7 +179,8 @@ namespace StickSlip
     const KeptLinearisation<n_components> &kept)
   {
     take_over_operator();
-    if (!kept.is_set)
+    // Another solver's says nothing here.
+    if (!kept.is_set || kept.active.n_nodes() != finest().nodes.n_local())
       return;
     coarse_hessians = kept.hessians;
     coarse_active   = kept.active;

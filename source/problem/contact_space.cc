@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/make_set.h>
@@ -403,10 +405,15 @@ namespace StickSlip
   ContactSpace<dim, n_components>::to_jumps(NodalVector       &w,
                                             const NodalVector &u) const
   {
-    // Values with the ghosts of the jump basis.
-    NodalVector values = make_vector();
-    std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
-    B_inverse.prolongate(w, values, n_components);
+    if (Utilities::MPI::n_mpi_processes(u.get_mpi_communicator()) == 1)
+      B_inverse.prolongate(w, u, n_components);
+    else
+      {
+        // Values with the ghosts of the jump basis.
+        NodalVector values = make_vector();
+        std::copy_n(u.begin(), u.locally_owned_size(), values.begin());
+        B_inverse.prolongate(w, values, n_components);
+      }
     rotation.add(1., w);
   }
 

@@ -90,15 +90,23 @@ namespace StickSlip
   NodalVector
   EquationOfMotion<dim, n_components>::load(const double time)
   {
-    const bool has_gravity = gravity_load.size() > 0;
-    const bool on_faults   = fault_load.size() > 0;
-    if (!has_gravity && !boundary.has_tractions())
-      return on_faults ? fault_load : space.make_vector();
-    NodalVector nodal = has_gravity ? gravity_load : space.make_nodal_vector();
-    boundary.add_tractions(time, nodal);
-    NodalVector dual = space.to_dual(nodal);
-    if (on_faults)
+    if (constant_load)
+      return *constant_load;
+    const bool  has_gravity = gravity_load.size() > 0;
+    NodalVector dual;
+    if (has_gravity || !has_constant_load())
+      {
+        NodalVector nodal =
+          has_gravity ? gravity_load : space.make_nodal_vector();
+        boundary.add_tractions(time, nodal);
+        dual = space.to_dual(nodal);
+      }
+    else
+      dual = space.make_vector();
+    if (fault_load.size() > 0)
       dual += fault_load;
+    if (has_constant_load())
+      constant_load = std::make_unique<const NodalVector>(dual);
     return dual;
   }
 
@@ -111,6 +119,7 @@ namespace StickSlip
     const RotationCoupling<dim, n_components>  &rotation,
     std::vector<LevelDescription<n_components>> descriptions)
   {
+    constant_load.reset();
     const NodeMask all(space.meshes().finest().nodes.n_local(), n_components);
     std::vector<BlockMatrix<n_components>> jump_terms;
     for (const BlockMatrix<n_components> &term : nodal_terms)

@@ -26,6 +26,13 @@ namespace StickSlip
         snapshot.name                     = names[f];
         snapshot.points                   = contact.slave_surface.points;
         snapshot.weights                  = contact.coupling.weight;
+        const unsigned int n_nodes =
+          nodes.first_of_fault()[f + 1] - nodes.first_of_fault()[f];
+        snapshot.slip.reserve(n_nodes);
+        snapshot.slip_rate.reserve(n_nodes);
+        snapshot.shear_traction.reserve(n_nodes);
+        snapshot.normal_stress.reserve(n_nodes);
+        snapshot.state.reserve(n_nodes);
         for (unsigned int k = nodes.first_of_fault()[f];
              k < nodes.first_of_fault()[f + 1];
              ++k)

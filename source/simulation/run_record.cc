@@ -228,6 +228,7 @@ namespace StickSlip
     , stations(scene, space.meshes().finest(), space.jump_basis())
     , complete_state(complete_state)
     , body_values(body_values)
+    , sliding_rate(event_start_slip_rate(scene))
     , fault_cadence(scene.output.fault_cadence)
     , station_cadence(scene.output.station_cadence)
     , volume_cadence(scene.output.volume_cadence)
@@ -264,18 +265,18 @@ namespace StickSlip
   RunRecord<dim, n_components>::add(
     const StepRecord                       &step,
     const SystemState<dim>                 &state,
-    const std::vector<FaultSnapshot<dim>>  &faults,
+    std::vector<FaultSnapshot<dim>>         faults,
     const EnergyBalance<dim, n_components> *energy)
   {
     last_step   = step;
-    last_faults = faults;
+    last_faults = std::move(faults);
     is_new      = true;
     // The state at the start is no step.
     in_time_series   = (step.step == 0);
     in_fault_history = in_stations = in_fields = false;
 
     last_slip_rate = 0;
-    for (const auto &fault : faults)
+    for (const auto &fault : last_faults)
       for (unsigned int k = 0; k < fault.slip_rate.size(); ++k)
         if (fault.weights[k] > 0.)
           {
@@ -415,8 +416,7 @@ namespace StickSlip
       }
     if (is_wanted(FaultField::contact_state))
       for (FaultSnapshot<dim> &fault : last_faults)
-        fault.contact_state =
-          contact_states(fault, event_start_slip_rate(scene));
+        fault.contact_state = contact_states(fault, sliding_rate);
   }
 
 

@@ -58,6 +58,15 @@ namespace StickSlip
                        [&]() { check_materials(meshes.finest(), materials); });
       return materials;
     }
+
+
+
+    TimeParameters
+    with_solver(TimeParameters parameters, const RateSolver solver)
+    {
+      parameters.rate_solver = solver;
+      return parameters;
+    }
   } // namespace
 
 
@@ -67,7 +76,6 @@ namespace StickSlip
                                             const MPI_Comm &communicator)
     : scene(checked_scene(scene, communicator))
     , communicator(communicator)
-    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , mesh_hierarchy(scene.coarse_bodies(),
                      scene.topology,
                      communicator,
@@ -84,6 +92,9 @@ namespace StickSlip
               make_slip_rates(scene),
               BackgroundStress<dim>(scene.faults),
               make_opening_parts(scene))
+    , rate_solver(
+        choose_rate_solver(this->scene.time, this->scene.tnnmg, problem))
+    , time_parameters(with_solver(this->scene.time, rate_solver.solver))
     , laws(make_node_laws(scene, problem.jump_basis()))
     , openings(make_node_openings(scene, problem))
   {
@@ -100,6 +111,9 @@ namespace StickSlip
     if (!step_size_controller)
       set_up();
     open_record();
+    if (!rate_solver.reason.empty() &&
+        Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cout << "Rate solver: " << text_of(rate_solver) << '.' << std::endl;
 
     // From here on a signal ends the run after the current step.
     const Interrupt interrupt;
@@ -178,7 +192,7 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::set_up()
   {
-    TimerOutput::Scope section(timer, "Initial equilibrium");
+    SectionTimes::Scope section(times, "Initial equilibrium");
 
     const InitialEquilibrium<dim> equilibrium =
       solve_initial_equilibrium(problem);
@@ -262,7 +276,7 @@ namespace StickSlip
       problem,
       faults,
       laws,
-      scene.time,
+      time_parameters,
       scene.tnnmg,
       following_stress,
       UnilateralContact<dim>(faults, openings, run_state.stress_offset));
@@ -283,7 +297,7 @@ namespace StickSlip
     std::vector<StepResult<dim>> accepted;
     try
       {
-        TimerOutput::Scope section(timer, "Time steps");
+        SectionTimes::Scope section(times, "Time steps");
         accepted = step_size_controller->advance(state(), run_state.steps);
       }
     catch (const StepSizeTooSmall &failure)
@@ -330,7 +344,7 @@ namespace StickSlip
     counts.add(step.step_size, step.counts);
     if (energy)
       {
-        TimerOutput::Scope section(timer, "Energy balance");
+        SectionTimes::Scope section(times, "Energy balance");
         complete_step(step);
         energy->add(step);
       }
@@ -339,7 +353,7 @@ namespace StickSlip
       counts.most_in_tension = std::max(
         counts.most_in_tension,
         following_stress.n_in_tension(faults, laws, state().contact_pressure));
-    TimerOutput::Scope section(timer, "Output");
+    SectionTimes::Scope section(times, "Output");
     if (record)
       record->add({counts.accepted,
                    state().time,
@@ -384,7 +398,7 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::follow_contact()
   {
-    TimerOutput::Scope section(timer, "Contact mapping");
+    SectionTimes::Scope section(times, "Contact mapping");
     complete_state();
     SystemState<dim> &current = run_state.system;
     ++run_state.counts.contact_mappings;
@@ -507,7 +521,7 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::write_checkpoint(Checkpoints &checkpoints)
   {
-    TimerOutput::Scope section(timer, "Checkpoints");
+    SectionTimes::Scope section(times, "Checkpoints");
     write_state(checkpoints.file(run_state.counts.accepted));
     checkpoints.note_written(state().time);
   }
@@ -524,7 +538,8 @@ namespace StickSlip
                                         problem,
                                         run_state,
                                         energy.get(),
-                                        timer,
+                                        rate_solver,
+                                        times,
                                         construction_timer.last_wall_time(),
                                         communicator),
                    energy.get());

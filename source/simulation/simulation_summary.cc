@@ -202,16 +202,15 @@ namespace StickSlip
      * what the level hierarchy takes on this process, zero if there is none.
      * Collective. */
     void
-    summarise_resources(RunSummary        &summary,
-                        const TimerOutput &timer,
-                        const double       construction,
-                        const double       hierarchy_bytes,
-                        const MPI_Comm     communicator)
+    summarise_resources(RunSummary         &summary,
+                        const SectionTimes &section_times,
+                        const double        construction,
+                        const double        hierarchy_bytes,
+                        const MPI_Comm      communicator)
     {
       RunSummary::Section &times = summary.add_section("Wall time");
       times.add("Meshes and matrices", construction, "s");
-      for (const auto &section :
-           timer.get_summary_data(TimerOutput::total_wall_time))
+      for (const auto &section : section_times.seconds())
         times.add(section.first, section.second, "s");
       Utilities::System::MemoryStats memory;
       Utilities::System::get_memory_stats(memory);
@@ -239,7 +238,8 @@ namespace StickSlip
                        const SpatialProblem<dim, n_components> &problem,
                        const RunState<dim, n_components>       &state,
                        const EnergyBalance<dim, n_components>  *energy,
-                       const TimerOutput                       &timer,
+                       const RateSolverChoice                  &rate_solver,
+                       const SectionTimes                      &section_times,
                        const double                             construction,
                        const MPI_Comm                           communicator)
   {
@@ -263,11 +263,13 @@ namespace StickSlip
                         state.largest_gaps,
                         body_names,
                         names_of(scene.faults));
+    if (!rate_solver.reason.empty())
+      summary.add_section("Rate solver").add("chosen", text_of(rate_solver));
     summarise_steps(summary, state, scene.time.control);
     if (energy != nullptr && problem.is_coupled())
       summarise_energy(summary, *energy, state.system, scene.time.inertia);
     summarise_resources(summary,
-                        timer,
+                        section_times,
                         construction,
                         problem.is_coupled() ?
                           problem.hierarchy().memory_consumption() :

@@ -3,10 +3,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/form_kernels.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/energy_balance.h>
 
+#include <limits>
 #include <vector>
 
 namespace StickSlip
@@ -45,10 +47,17 @@ namespace StickSlip
     , faults(faults)
     , laws(laws)
     , account(account)
+    , last(std::make_unique<Moment>())
+    , end(std::make_unique<Moment>())
     , change(problem.make_vector())
   {
-    last.displacement = last.velocity = last.viscous_force = change;
-    end                                                    = last;
+    last->displacement = last->velocity          = change;
+    *end                                         = *last;
+    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
+    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (!finest.fixed.is_active(i, c))
+          driven.push_back(i * n_components + c);
   }
 
 
@@ -78,7 +87,9 @@ namespace StickSlip
   void
   EnergyBalance<dim, n_components>::resume(const SystemState<dim> &state)
   {
-    set(last, state, state.velocity);
+    if (problem.has_constant_load())
+      constant_load = problem.load(state.time);
+    set(*last, state, state.velocity);
     last_slip_rate = state.slip_rate;
   }
 
@@ -92,10 +103,13 @@ namespace StickSlip
   {
     problem.to_jumps(moment.displacement, state.displacement);
     problem.to_jumps(moment.velocity, velocity);
-    moment.load = problem.load(state.time);
-    if (problem.has(SpatialProblem<dim, n_components>::damping))
-      problem.term(SpatialProblem<dim, n_components>::damping)
-        .vmult(moment.viscous_force, moment.velocity);
+    if (!problem.has_constant_load())
+      moment.load = problem.load(state.time);
+    update_ghosts(moment.displacement);
+    update_ghosts(moment.velocity);
+    moment.force.assign(driven.size(),
+                        std::numeric_limits<double>::quiet_NaN());
+    moment.momentum = moment.force;
   }
 
 
@@ -125,27 +139,33 @@ namespace StickSlip
     const auto &slip_rate =
       has_impact ? step.slip_rate_before_impacts : to.slip_rate;
 
-    set(end, to, has_impact ? step.velocity_before_impacts : to.velocity);
-    if (to.mean_velocity.size() > 0)
-      problem.to_jumps(change, to.mean_velocity);
+    set(*end, to, has_impact ? step.velocity_before_impacts : to.velocity);
+    const bool has_mean = to.mean_velocity.size() > 0;
+    if (has_mean)
+      {
+        problem.to_jumps(change, to.mean_velocity);
+        change *= tau;
+      }
     else
       {
-        change = end.velocity;
-        change.sadd(0.5, 0.5, last.velocity);
+        const double *const v_last = last->velocity.begin(), *const v_end =
+                                                               end->velocity
+                                                                 .begin();
+        double *const du = change.begin();
+        for (unsigned int i = 0; i < change.locally_owned_size(); ++i)
+          du[i] = tau * (0.5 * v_last[i] + 0.5 * v_end[i]);
       }
-    change *= tau;
 
     EnergyTerms &work = account.work;
-    work.loads += 0.5 * (last.load * change + end.load * change);
+    work.loads += loads_work();
     if (problem.has(SpatialProblem<dim, n_components>::damping))
-      work.viscosity +=
-        0.5 * (last.viscous_force * change + end.viscous_force * change);
+      work.viscosity += viscous_work(tau, has_mean);
     work.driven_sides += driven_work(tau);
     if (has_impact)
       {
-        change = end.velocity;
-        set(end, to, to.velocity);
-        change.sadd(-1., 1., end.velocity);
+        change = end->velocity;
+        set(*end, to, to.velocity);
+        change.sadd(-1., 1., end->velocity);
         work.driven_sides += driven_work_of_impacts(change);
       }
     std::swap(last, end);
@@ -209,46 +229,83 @@ namespace StickSlip
 
   template <int dim, int n_components>
   double
+  EnergyBalance<dim, n_components>::loads_work() const
+  {
+    if (problem.has_constant_load())
+      return constant_load * change;
+    return 0.5 * (last->load * change + end->load * change);
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EnergyBalance<dim, n_components>::viscous_work(const double tau,
+                                                 const bool   has_mean) const
+  {
+    const BlockMatrix<n_components> &C =
+      problem.term(SpatialProblem<dim, n_components>::damping);
+    if (has_mean)
+      {
+        NodalVector force = change;
+        C.vmult(force, change);
+        return 0.5 * (force * last->velocity + force * end->velocity);
+      }
+    update_ghosts(change);
+    const double form = Kernels::quadratic_form<n_components>(
+      C.rows(), C.sparsity().diagonal.data(), C.n_rows(), change.begin());
+    return Utilities::MPI::sum(form, change.get_mpi_communicator()) / tau;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
   EnergyBalance<dim, n_components>::driven_work(const double tau) const
   {
-    using Problem = SpatialProblem<dim, n_components>;
-
-    const bool has_mass = problem.has(Problem::mass);
-    for (const Moment *const moment : {&last, &end})
-      {
-        update_ghosts(moment->displacement);
-        if (has_mass)
-          update_ghosts(moment->velocity);
-      }
     // Prescribed velocities are the only ones that are not zero where a
     // component is fixed; without mass, normal jumps are not zero in the first
     // step with a new contact mapping.
-    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
-    double                                work   = 0.;
-    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
-      for (unsigned int c = 0; c < n_components; ++c)
-        {
-          const unsigned int position = i * n_components + c;
-          if (finest.fixed.is_active(i, c) ||
-              (last.velocity.local_element(position) == 0. &&
-               end.velocity.local_element(position) == 0.))
-            continue;
-          double force = 0.;
-          for (const Moment *const moment : {&last, &end})
-            force += 0.5 * (row_product(problem.term(Problem::stiffness),
-                                        i,
-                                        c,
-                                        moment->displacement) +
-                            moment->viscous_force.local_element(position) -
-                            moment->load.local_element(position));
-          if (has_mass)
-            force +=
-              (row_product(problem.term(Problem::mass), i, c, end.velocity) -
-               row_product(problem.term(Problem::mass), i, c, last.velocity)) /
-              tau;
-          work += force * change.local_element(position);
-        }
-    return Utilities::MPI::sum(work, finest.nodes.communicator());
+    const bool has_mass = problem.has(SpatialProblem<dim, n_components>::mass);
+    double     work     = 0.;
+    for (unsigned int k = 0; k < driven.size(); ++k)
+      {
+        const unsigned int entry = driven[k];
+        if (last->velocity.local_element(entry) == 0. &&
+            end->velocity.local_element(entry) == 0.)
+          continue;
+        find_force(*last, k);
+        find_force(*end, k);
+        double force = 0.5 * (last->force[k] + end->force[k]);
+        if (has_mass)
+          force += (end->momentum[k] - last->momentum[k]) / tau;
+        work += force * change.local_element(entry);
+      }
+    return Utilities::MPI::sum(work, change.get_mpi_communicator());
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  EnergyBalance<dim, n_components>::find_force(Moment            &moment,
+                                               const unsigned int k) const
+  {
+    using Problem = SpatialProblem<dim, n_components>;
+    if (!std::isnan(moment.force[k]))
+      return;
+    const unsigned int row       = driven[k] / n_components,
+                       component = driven[k] % n_components;
+    const auto product           = [&](const typename Problem::Term term,
+                             const NodalVector           &x) {
+      return row_product(problem.term(term), row, component, x);
+    };
+    moment.force[k] = product(Problem::stiffness, moment.displacement) -
+                      load(moment).local_element(driven[k]);
+    if (problem.has(Problem::damping))
+      moment.force[k] += product(Problem::damping, moment.velocity);
+    if (problem.has(Problem::mass))
+      moment.momentum[k] = product(Problem::mass, moment.velocity);
   }
 
 
@@ -258,20 +315,18 @@ namespace StickSlip
   EnergyBalance<dim, n_components>::driven_work_of_impacts(
     const NodalVector &velocity_change) const
   {
-    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
-    const BlockMatrix<n_components>      &mass =
+    const BlockMatrix<n_components> &mass =
       problem.term(SpatialProblem<dim, n_components>::mass);
     update_ghosts(velocity_change);
     double work = 0.;
-    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
-      for (unsigned int c = 0; c < n_components; ++c)
-        {
-          const double velocity =
-            end.velocity.local_element(i * n_components + c);
-          if (!finest.fixed.is_active(i, c) && velocity != 0.)
-            work += velocity * row_product(mass, i, c, velocity_change);
-        }
-    return Utilities::MPI::sum(work, finest.nodes.communicator());
+    for (const unsigned int entry : driven)
+      if (const double velocity = end->velocity.local_element(entry);
+          velocity != 0.)
+        work += velocity * row_product(mass,
+                                       entry / n_components,
+                                       entry % n_components,
+                                       velocity_change);
+    return Utilities::MPI::sum(work, change.get_mpi_communicator());
   }
 
 

@@ -59,6 +59,8 @@ namespace StickSlip
                      const RateSolver                   method,
                      const TNNMGParameters             &parameters)
     {
+      Assert(method != RateSolver::automatic,
+             ExcMessage("Somebody has to choose the solver."));
       if (method == RateSolver::condensed_newton)
         try
           {

@@ -150,7 +150,8 @@ namespace StickSlip
     add_choice(prm,
                "Rate solver",
                rate_solver,
-               {{RateSolver::tnnmg, "TNNMG"},
+               {{RateSolver::automatic, "automatic"},
+                {RateSolver::tnnmg, "TNNMG"},
                 {RateSolver::condensed_newton, "condensed Newton"}},
                "How the rate problem is solved: on all of the bodies by "
                "multigrid (TNNMG), which suits every scene; or on the unknowns "
@@ -160,7 +161,10 @@ namespace StickSlip
                "sizes occur and the faults have at most some hundred nodes. "
                "The latter needs memory and time that grow with the square and "
                "the cube of the number of fault unknowns, takes its tolerance "
-               "from the section TNNMG, and runs on one process only.");
+               "from the section TNNMG, and runs on one process only. The "
+               "program chooses (automatic) by numbers of unknowns, step sizes "
+               "with one operator, tolerance, dimension, processes and memory, "
+               "and says what and why at the start and in summary.txt.");
     add_number(prm,
                "Rate-state tolerance",
                rate_state_tolerance,

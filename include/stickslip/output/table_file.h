@@ -6,9 +6,9 @@
 
 #include <stickslip/output/file_state.h>
 
-#include <fstream>
-#include <sstream>
+#include <chrono>
 #include <string>
+#include <type_traits>
 
 namespace StickSlip
 {
@@ -26,12 +26,25 @@ namespace StickSlip
     /** Go on with a file as it was. Throws InputError if that is impossible. */
     TableFile(const std::string &file_name, const FileState &earlier);
 
+    TableFile(const TableFile &) = delete;
+
+    TableFile &
+    operator=(const TableFile &) = delete;
+
+    ~TableFile();
+
     /** Add to the present row. */
     template <typename T>
     TableFile &
     operator<<(const T &value)
     {
-      row << value;
+      if constexpr (std::is_same<T, double>::value)
+        add_number(value);
+      else if constexpr (std::is_integral<T>::value &&
+                         !std::is_same<T, char>::value)
+        row += std::to_string(value);
+      else
+        row += value;
       return *this;
     }
 
@@ -44,10 +57,24 @@ namespace StickSlip
     state() const;
 
   private:
-    std::string        file_name;
-    std::ofstream      file;
-    std::ostringstream row;
-    std::uint64_t      size = 0;
+    void
+    add_number(const double value);
+
+    /** Write the present row; returns zero or the number of an error. */
+    int
+    write_row();
+
+    /** True unless the file has been deleted or its folder has been. */
+    bool
+    is_there();
+
+    std::string   file_name;
+    int           file = -1;
+    std::string   row;
+    std::uint64_t size = 0;
+
+    /** The last look for the file under its name. */
+    std::chrono::steady_clock::time_point last_look;
   };
 } // namespace StickSlip
 

@@ -109,6 +109,13 @@ namespace StickSlip
     NodalVector
     load(const double time);
 
+    /** True if the load does not depend on the time. */
+    bool
+    has_constant_load() const
+    {
+      return !boundary.has_tractions();
+    }
+
     BoundaryValues<dim, n_components> &
     boundary_values()
     {
@@ -134,6 +141,7 @@ namespace StickSlip
     void
     clear_operator()
     {
+      constant_load.reset();
       levels.reset();
       operator_sum.reset();
     }
@@ -143,6 +151,7 @@ namespace StickSlip
     void
     set_fault_load(NodalVector load)
     {
+      constant_load.reset();
       fault_load = std::move(load);
     }
 
@@ -164,6 +173,9 @@ namespace StickSlip
     NodalVector gravity_load;
     /** In the jump basis, empty without a background stress. */
     NodalVector fault_load;
+    /** The load where it does not depend on the time, once somebody has asked
+     * for it with this contact mapping. */
+    std::unique_ptr<const NodalVector> constant_load;
 
     std::unique_ptr<OperatorSum<n_components>>    operator_sum;
     std::unique_ptr<LevelHierarchy<n_components>> levels;

@@ -62,7 +62,7 @@ namespace StickSlip
     void
     add(const StepRecord                       &step,
         const SystemState<dim>                 &state,
-        const std::vector<FaultSnapshot<dim>>  &faults,
+        std::vector<FaultSnapshot<dim>>         faults,
         const EnergyBalance<dim, n_components> *energy);
 
     /** The faults as they were taken in last: with the contact mapping of that
@@ -160,10 +160,12 @@ namespace StickSlip
     const Stations<dim>                    stations;
     const std::function<void()>            complete_state;
     const BodyValues                       body_values;
-    std::unique_ptr<Files>                 files;
-    OutputCadence                          fault_cadence;
-    OutputCadence                          station_cadence;
-    OutputCadence                          volume_cadence;
+    /** Slip rate from which on a node slides, m/s. */
+    const double           sliding_rate;
+    std::unique_ptr<Files> files;
+    OutputCadence          fault_cadence;
+    OutputCadence          station_cadence;
+    OutputCadence          volume_cadence;
 
     /** The last step taken in, and whether it is in the files; of the time
      * series only the process knows that writes. */

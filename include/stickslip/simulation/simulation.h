@@ -6,10 +6,12 @@
 
 #include <deal.II/base/timer.h>
 
+#include <stickslip/base/section_times.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/checkpoints.h>
 #include <stickslip/simulation/run_record.h>
 #include <stickslip/simulation/run_state.h>
+#include <stickslip/time/rate_solver_choice.h>
 #include <stickslip/time/step_size_control.h>
 
 #include <functional>
@@ -165,12 +167,15 @@ namespace StickSlip
     const SceneParameters<dim> scene;
     const MPI_Comm             communicator;
     Timer                      construction_timer;
-    mutable TimerOutput        timer;
+    SectionTimes               times;
 
     MeshHierarchy<dim>                mesh_hierarchy;
     BoundaryValues<dim, n_components> boundary_values;
     SpatialProblem<dim, n_components> problem;
-    NodeLaws                          laws;
+    /** The solver of the rate problems, and settings with it. */
+    const RateSolverChoice rate_solver;
+    const TimeParameters   time_parameters;
+    NodeLaws               laws;
     /** Of each slave node, empty where no fault may open. */
     std::vector<NodeOpening> openings;
 

@@ -4,13 +4,13 @@
 #ifndef stickslip_simulation_simulation_summary_h
 #define stickslip_simulation_simulation_summary_h
 
-#include <deal.II/base/timer.h>
-
+#include <stickslip/base/section_times.h>
 #include <stickslip/output/run_summary.h>
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/scene/scene_parameters.h>
 #include <stickslip/simulation/run_state.h>
 #include <stickslip/time/energy_balance.h>
+#include <stickslip/time/rate_solver_choice.h>
 
 namespace StickSlip
 {
@@ -27,7 +27,8 @@ namespace StickSlip
                        const SpatialProblem<dim, n_components> &problem,
                        const RunState<dim, n_components>       &state,
                        const EnergyBalance<dim, n_components>  *energy,
-                       const TimerOutput                       &timer,
+                       const RateSolverChoice                  &rate_solver,
+                       const SectionTimes                      &section_times,
                        const double                             construction,
                        const MPI_Comm                           communicator);
 } // namespace StickSlip

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace StickSlip
 {
@@ -176,9 +177,13 @@ namespace StickSlip
     /** One time of the run, in the jump basis. */
     struct Moment
     {
-      NodalVector displacement, velocity, load;
-      /** Zero without viscosity. */
-      NodalVector viscous_force;
+      NodalVector displacement, velocity;
+      /** Empty where the load is constant. */
+      NodalVector load;
+
+      /** Force without inertia, N, and momentum, kg m/s, at the entries of
+       * driven; NaN where nobody has asked. */
+      std::vector<double> force, momentum;
     };
 
     /** Set a moment to that of @p state, at another @p velocity. */
@@ -187,10 +192,32 @@ namespace StickSlip
         const SystemState<dim> &state,
         const NodalVector      &velocity) const;
 
+    /** The load at a moment, N. */
+    const NodalVector &
+    load(const Moment &moment) const
+    {
+      return problem.has_constant_load() ? constant_load : moment.load;
+    }
+
+    /** Work of the loads in the change of the displacement, and what viscosity
+     * dissipates, J, between last and end, a time @p tau from each other.
+     * @p has_mean: if the change is not that of the mean of both velocities.
+     * Collective, as the next two. */
+    double
+    loads_work() const;
+
+    double
+    viscous_work(const double tau, const bool has_mean) const;
+
     /** Work of forces at sides of prescribed velocity, J, between last and end,
      * a time @p tau from each other. */
     double
     driven_work(const double tau) const;
+
+    /** Find force and momentum of a moment at the k-th entry of driven, if they
+     * are not known. */
+    void
+    find_force(Moment &moment, const unsigned int k) const;
 
     /** Work that sides of prescribed velocity do in impacts, J: the impulses
      * that keep them at their velocities of end, while those of bodies jump by
@@ -208,10 +235,16 @@ namespace StickSlip
     const NodeLaws                    &laws;
     EnergyAccount                     &account;
 
+    /** Entries of owned nodes that are fixed, node after node. */
+    std::vector<unsigned int> driven;
+
+    /** Empty where the load changes in time. */
+    NodalVector constant_load;
+
     /** The last state taken in, the end of a step, and the change of the
      * displacement in it. */
-    Moment      last, end;
-    NodalVector change;
+    std::unique_ptr<Moment> last, end;
+    NodalVector             change;
 
     /** Slip rates of the last state taken in, m/s. */
     std::vector<Tensor<1, dim - 1>> last_slip_rate;

@@ -60,6 +60,8 @@ namespace StickSlip
    */
   enum class RateSolver
   {
+    /** The one of the others that chosen_rate_solver() expects to be faster. */
+    automatic,
     /** On all of the bodies, by truncated nonsmooth Newton multigrid. */
     tnnmg,
     /** Condensed to the faults, by Newton's method with dense matrices. */
