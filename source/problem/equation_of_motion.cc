@@ -29,6 +29,19 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  BlockMatrix<n_components> &
+  EquationOfMotion<dim, n_components>::matrix_of(
+    ElasticMatrices<n_components> &matrices,
+    const Term                     term)
+  {
+    return term == mass    ? matrices.mass :
+           term == damping ? matrices.damping :
+                             matrices.stiffness;
+  }
+
+
+
+  template <int dim, int n_components>
   EquationOfMotion<dim, n_components>::EquationOfMotion(
     const ContactSpace<dim, n_components> &space,
     const std::vector<MaterialFields>     &materials,
@@ -37,26 +50,32 @@ namespace StickSlip
     const bool                             with_inertia)
     : space(space)
     , boundary(boundary_values)
+    , materials(materials)
+    , with_inertia(with_inertia)
   {
-    const MeshLevel<dim>         &finest = space.meshes().finest();
-    ElasticMatrices<n_components> matrices =
-      assemble_elastic_matrices<dim, n_components>(finest,
-                                                   materials,
-                                                   with_inertia);
-    const auto add = [&](const Term term, BlockMatrix<n_components> &matrix) {
-      if (matrix.shared_sparsity() == nullptr)
-        return;
-      terms.push_back(term);
-      nodal_terms.push_back(std::move(matrix));
-    };
-    add(mass, matrices.mass);
+    assemble();
+    for (const Term term : {mass, damping, stiffness})
+      if (matrix_of(*nodal_terms, term).shared_sparsity() != nullptr)
+        terms.push_back(term);
     if (has(mass))
-      masses = row_sums(nodal_terms.back());
-    add(damping, matrices.damping);
-    add(stiffness, matrices.stiffness);
+      masses = row_sums(nodal_terms->mass);
+    sparsity = nodal_terms->stiffness.shared_sparsity();
     // Gravity acts in the plane.
     if (n_components == dim && gravity.norm_square() > 0.)
-      gravity_load = assemble_gravity(finest, materials, gravity);
+      gravity_load =
+        assemble_gravity(space.meshes().finest(), materials, gravity);
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  EquationOfMotion<dim, n_components>::assemble()
+  {
+    nodal_terms = std::make_unique<ElasticMatrices<n_components>>(
+      assemble_elastic_matrices<dim, n_components>(space.meshes().finest(),
+                                                   materials,
+                                                   with_inertia));
   }
 
 
@@ -120,14 +139,19 @@ namespace StickSlip
     std::vector<LevelDescription<n_components>> descriptions)
   {
     constant_load.reset();
+    if (!nodal_terms)
+      assemble();
     const NodeMask all(space.meshes().finest().nodes.n_local(), n_components);
     std::vector<BlockMatrix<n_components>> jump_terms;
-    for (const BlockMatrix<n_components> &term : nodal_terms)
+    for (const Term term : terms)
       {
         jump_terms.emplace_back(product.coarse_sparsity());
-        product.compute(term, all, jump_terms.back());
+        BlockMatrix<n_components> &nodal = matrix_of(*nodal_terms, term);
+        product.compute(nodal, all, jump_terms.back());
+        nodal = BlockMatrix<n_components>();
         rotation.transform(jump_terms.back());
       }
+    nodal_terms.reset();
     operator_sum =
       std::make_unique<OperatorSum<n_components>>(descriptions.back(),
                                                   std::move(jump_terms));

@@ -5,6 +5,7 @@
 #define stickslip_problem_equation_of_motion_h
 
 #include <stickslip/mechanics/boundary_values.h>
+#include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/problem/contact_space.h>
@@ -38,7 +39,7 @@ namespace StickSlip
       stiffness = 2
     };
 
-    /** Assembles the terms in the nodal basis. @p space must outlive this
+    /** @p space must outlive this
      * object; @p materials in the order of the bodies; @p gravity: its
      * acceleration, m/s^2. Without inertia M is never assembled. */
     EquationOfMotion(const ContactSpace<dim, n_components> &space,
@@ -134,7 +135,7 @@ namespace StickSlip
     const BlockSparsity &
     nodal_sparsity() const
     {
-      return nodal_terms.front().sparsity();
+      return *sparsity;
     }
 
     /** Remove operator and levels. */
@@ -163,12 +164,26 @@ namespace StickSlip
                   std::vector<LevelDescription<n_components>> descriptions);
 
   private:
+    static BlockMatrix<n_components> &
+    matrix_of(ElasticMatrices<n_components> &matrices, const Term term);
+
+    /** Assemble the terms in the nodal basis. */
+    void
+    assemble();
+
     const ContactSpace<dim, n_components> &space;
     BoundaryValues<dim, n_components>     &boundary;
-    /** Terms in the nodal basis, and their names in the same order. */
-    std::vector<BlockMatrix<n_components>> nodal_terms;
-    std::vector<Term>                      terms;
-    std::vector<double>                    masses;
+    const std::vector<MaterialFields>      materials;
+    const bool                             with_inertia;
+
+    /** Terms in the nodal basis until an operator is made of them: they would
+     * be half of the memory, and to assemble them anew takes as long as the
+     * rest of a new contact mapping. */
+    std::unique_ptr<ElasticMatrices<n_components>> nodal_terms;
+    std::shared_ptr<const BlockSparsity>           sparsity;
+    /** Terms that there are. */
+    std::vector<Term>   terms;
+    std::vector<double> masses;
     /** Empty without gravity. */
     NodalVector gravity_load;
     /** In the jump basis, empty without a background stress. */

@@ -60,7 +60,7 @@ namespace StickSlip
    */
   enum class RateSolver
   {
-    /** The one of the others that chosen_rate_solver() expects to be faster. */
+    /** The one of the others that choose_rate_solver() expects to be faster. */
     automatic,
     /** On all of the bodies, by truncated nonsmooth Newton multigrid. */
     tnnmg,
