@@ -139,9 +139,10 @@ def table(rows):
     for row in rows:
         ratio = float(row["condensed_ms"]) / float(row["tnnmg_ms"])
         lines.append([row["scene"], page.thousands(row["unknowns"]),
-                      page.thousands(row["on_faults"]), row["one_operator"],
+                      page.thousands(row["on_faults"]),
+                      row["one_operator"] if row["expected"] else "–",
                       page.number(row["tnnmg_ms"]), page.number(row["condensed_ms"]),
-                      f"{ratio:.2f}", row["expected"], row["choice"]])
+                      f"{ratio:.2f}", row["expected"] or "–", row["choice"]])
     return page.table(["scene", "unknowns", "on faults", "one operator",
                        "TNNMG, ms a step", "condensed", "ratio", "expected",
                        "automatic"], lines)
