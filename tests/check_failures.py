@@ -122,10 +122,13 @@ def main():
             if status != 0 or not counted:
                 print(f"The run without failures: status {status}, {said}")
                 return 1
-            for _ in range(given.places // 2):
-                # Half of them in the first quarter. Runs differ in how many there are,
-                # since checkpoints go by the time.
-                at = round(0.9 * int(counted[1]) * choose.random() ** 2) + 1
+            for i in range(given.places // 2):
+                # By turns in the first part, most of which is the start, and in the
+                # steps. Runs differ in how many there are, since checkpoints go by the
+                # time.
+                part = choose.random()
+                part = 0.5 * part ** 2 if i % 2 == 0 else 0.5 + 0.4 * part
+                at = round(int(counted[1]) * part) + 1
                 shutil.rmtree(folder / "output", ignore_errors=True)
                 status, said = run(given, folder, process, at)
                 output = folder / "output/scene"

@@ -25,6 +25,12 @@ def read(path):
     return np.genfromtxt(lines, names=True, invalid_raise=False)
 
 
+def direction(stress):
+    """The sign of the slip, by that of the stress that drives it: bodies may be either
+    way around."""
+    return np.sign(np.mean(stress))
+
+
 def reference(name, station):
     """Time, s, slip, m, and stresses, MPa, of another program, or nothing."""
     path = REFERENCES / f"{name}_{station}.csv"
@@ -33,8 +39,7 @@ def reference(name, station):
     with open(path) as file:
         lines = [line for line in file if not line.startswith("#")]
     table = np.genfromtxt(lines, names=True, delimiter=",")
-    # A normal fault slips the other way there.
-    sign = 1. if np.mean(table["shear_stress_MPa"]) > 0. else -1.
+    sign = direction(table["shear_stress_MPa"])
     return {"time": table["time_s"], "slip": sign * table["slip_m"],
             "shear_stress": sign * table["shear_stress_MPa"],
             "normal_stress": table["normal_stress_MPa"]}
@@ -50,7 +55,8 @@ def draw(axes, name, folder):
     """Shear stresses over time, those of another program dashed."""
     for station, colour in zip(DRAWN[name.split("_")[0]], COLOURS):
         table = read(folder / "stations" / f"{station}.dat")
-        axes.plot(table["t"] / YEAR, stress_along_slip(table), lw=0.7, color=colour,
+        stress = stress_along_slip(table)
+        axes.plot(table["t"] / YEAR, direction(stress) * stress, lw=0.7, color=colour,
                   label=station)
         other = reference(name, station)
         if other:
@@ -71,9 +77,13 @@ def show(name, folder, starts, others):
         print(f"\n{station} halfway to the event, here and by FDRA:\nevent   slip, m"
               "             shear stress, MPa   normal stress, MPa")
         here, there = np.r_[0., starts], np.r_[0., np.array(others) * YEAR]
+        sign = direction(table["shear_stress"])
         for i in range(1, min(len(here), len(there))):
             line = f"{i:5d}"
-            for field in ("slip", "shear_stress", "normal_stress"):
-                line += (f"   {np.interp(here[i - 1:i + 1].mean(), table['t'], table[field]):8.3f}"
-                         f" {np.interp(there[i - 1:i + 1].mean(), other['time'], other[field]):8.3f}")
+            for field, factor in (("slip", sign), ("shear_stress", sign),
+                                  ("normal_stress", 1.)):
+                value = np.interp(here[i - 1:i + 1].mean(), table["t"], table[field])
+                value_there = np.interp(there[i - 1:i + 1].mean(), other["time"],
+                                        other[field])
+                line += f"   {factor * value:8.3f} {value_there:8.3f}"
             print(line)
