@@ -43,7 +43,7 @@ FAULT_SERIES = (
 )
 EVENTS = (
     "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,mean_slip,"
-    "nucleation_x,moment,stress_drop,ruptured_area"
+    "nucleation_x,moment,peak_moment_rate,stress_drop,ruptured_area"
 )
 ENERGY = ("time,kinetic,elastic,driven_sides,loads,friction,viscosity,radiation,contact,"
           "missing")
@@ -138,7 +138,7 @@ def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip
         file.write(EVENTS + "\n")
         for start in np.arange(FIRST, 30.0 - 0.2, PERIOD) if with_events else ():
             file.write(f"{FAULT},{start},{start + 0.05},{start + 0.13},5e-3,2e-2,"
-                       "3e-4,0,2e10,1e5,5\n")
+                       "3e-4,0,2e10,4e11,1e5,5\n")
     with open(directory / "energy.csv", "w", encoding="utf-8") as file:
         file.write(ENERGY + "\n")
         for time in t:

@@ -141,8 +141,8 @@ TEST(EventCatalogue, SaysWhereOnABentFaultAnEventBegan)
   EXPECT_EQ(catalogue.entries()[0].nucleation, (std::vector<double>{0, 0, 5}));
   const std::string text = content_of(folder.file("events.csv"));
   EXPECT_NE(text.find("mean_slip,nucleation_x,nucleation_y,"
-                      "nucleation_arc_length,moment,stress_drop,"
-                      "ruptured_area\n"),
+                      "nucleation_arc_length,moment,peak_moment_rate,"
+                      "stress_drop,ruptured_area\n"),
             std::string::npos);
-  EXPECT_NE(text.find(",0,0,5,nan,nan,2\n"), std::string::npos);
+  EXPECT_NE(text.find(",0,0,5,nan,nan,nan,2\n"), std::string::npos);
 }

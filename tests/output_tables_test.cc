@@ -247,13 +247,15 @@ TEST(EventCatalogue, InterpolatesInTheLogarithmOfTheSlipRate)
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0],
             "fault,start,peak_time,end,peak_mean_slip_rate,peak_slip_rate,"
-            "mean_slip,nucleation_x,moment,stress_drop,ruptured_area");
+            "mean_slip,nucleation_x,moment,peak_moment_rate,stress_drop,"
+            "ruptured_area");
   const std::vector<std::string> row = split(lines[1], ',');
-  ASSERT_EQ(row.size(), 11u);
+  ASSERT_EQ(row.size(), 12u);
   // Four metres that slip by five, from start to end, at a rigidity of 3 Pa.
   EXPECT_NEAR(std::stod(row[8]), 60., 1e-10);
-  EXPECT_EQ(std::stod(row[9]), 0.);
-  EXPECT_EQ(std::stod(row[10]), 4.);
+  EXPECT_NEAR(std::stod(row[9]), 3. * 4. * 1e-2, 1e-12);
+  EXPECT_EQ(std::stod(row[10]), 0.);
+  EXPECT_EQ(std::stod(row[11]), 4.);
   EXPECT_EQ(row[0], "main");
   EXPECT_EQ(std::stod(row[1]), event.start);
   EXPECT_EQ(std::stod(row[3]), event.end);

@@ -101,6 +101,11 @@ namespace StickSlip
                                   "rigidity times the slip from start to end, "
                                   "in magnitude") +
                         (dim == 2 ? "; for 1 m of the third dimension" : "")});
+    result.push_back(
+      {"peak_moment_rate",
+       dim == 2 ? "N/s" : "N m/s",
+       "largest integral over the area of contact of the rigidity times the "
+       "magnitude of the slip rate, after a step of the event"});
     result.push_back({"stress_drop",
                       "Pa",
                       "mean fall of the shear traction from start to end, "
@@ -180,6 +185,10 @@ namespace StickSlip
         event.mean_slip = now.mean_slip - record.start_slip;
         event.peak_slip_rate =
           std::max(event.peak_slip_rate, now.max_slip_rate);
+        // Not a number at first.
+        const double rate = moment_rate(snapshot, rigidities[fault]);
+        if (!(rate <= event.peak_moment_rate))
+          event.peak_moment_rate = rate;
         if (now.mean_slip_rate > event.peak_mean_slip_rate)
           {
             event.peak_mean_slip_rate = now.mean_slip_rate;
@@ -212,8 +221,8 @@ namespace StickSlip
         << event.peak_slip_rate << ',' << event.mean_slip;
     for (const double coordinate : event.nucleation)
       row << ',' << coordinate;
-    row << ',' << event.source.moment << ',' << event.source.stress_drop << ','
-        << event.source.ruptured_area;
+    row << ',' << event.source.moment << ',' << event.peak_moment_rate << ','
+        << event.source.stress_drop << ',' << event.source.ruptured_area;
     if (dim == 3)
       row << ',' << event.source.magnitude();
   }

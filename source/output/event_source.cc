@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <stickslip/base/magnitude.h>
 #include <stickslip/output/event_source.h>
 
 #include <cmath>
@@ -58,6 +59,22 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  double
+  moment_rate(const FaultSnapshot<dim>  &fault,
+              const std::vector<double> &rigidity)
+  {
+    if (rigidity.empty())
+      return EventSource::nan;
+    double sum = 0.;
+    for (std::size_t k = 0; k < fault.weights.size(); ++k)
+      if (fault.weights[k] > 0.)
+        sum += fault.weights[k] * rigidity[k] * magnitude(fault.slip_rate[k]);
+    return sum;
+  }
+
+
+
   EventSource::EventSource(const FaultMotion         &start,
                            const FaultMotion         &end,
                            const std::vector<double> &weights,
@@ -105,6 +122,10 @@ namespace StickSlip
 
 
 
+  template double
+  moment_rate(const FaultSnapshot<2> &, const std::vector<double> &);
+  template double
+  moment_rate(const FaultSnapshot<3> &, const std::vector<double> &);
   template FaultMotion::FaultMotion(const FaultSnapshot<2> &);
   template FaultMotion::FaultMotion(const FaultSnapshot<3> &);
 } // namespace StickSlip

@@ -34,6 +34,9 @@ namespace StickSlip
     double peak_mean_slip_rate = 0;
     double peak_slip_rate      = 0;
 
+    /** Largest moment_rate() after a step of the event. */
+    double peak_moment_rate = nan;
+
     /** Growth of the mean slip during the event, m. */
     double mean_slip = 0;
 
@@ -51,7 +54,7 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &fault &start &peak_time &end &peak_mean_slip_rate &peak_slip_rate
-        &mean_slip &nucleation &source;
+        &peak_moment_rate &mean_slip &nucleation &source;
     }
   };
 

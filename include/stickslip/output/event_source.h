@@ -39,6 +39,16 @@ namespace StickSlip
   };
 
   /**
+   * The integral over the area of contact of the rigidity times the slip rate,
+   * in magnitude, N m/s, in two dimensions N/s for 1 m of the third one; NaN
+   * where no rigidity is known. @p rigidity: of the nodes, Pa, or empty.
+   */
+  template <int dim>
+  double
+  moment_rate(const FaultSnapshot<dim>  &fault,
+              const std::vector<double> &rigidity);
+
+  /**
    * Size of the source of an event, all of it integrals over the area of
    * contact. With the slip D during the event, the fall T of the shear traction
    * from its start to its end (both tangential vectors), and the rigidity G:
