@@ -13,7 +13,8 @@
 
 namespace
 {
-  /** The number of an allocation that fails, or zero to count them all. */
+  /** The number of an allocation that fails, or zero to count them all; how
+   * many there were is said at the end where none has failed. */
   struct Failure
   {
     bool          is_here = false;
@@ -33,7 +34,8 @@ namespace
 
     ~Failure()
     {
-      if (is_here && number == 0)
+      if (is_here && n_allocations > 0 &&
+          (number == 0 || n_allocations < number))
         std::fprintf(stderr, "allocations: %lu\n", n_allocations);
     }
   } failure;
