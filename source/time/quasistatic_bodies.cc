@@ -252,6 +252,8 @@ namespace StickSlip
   QuasistaticBodies<dim, n_components>::load_rate(const double time,
                                                   const double tau) const
   {
+    if (problem.has_constant_load())
+      return problem.make_vector();
     NodalVector result = problem.load(time);
     result -= problem.load(time - tau);
     if (tau > 0.)
