@@ -328,21 +328,13 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  const StickSlip::Libraries libraries;
-  try
-    {
-      Options                   options(argc, argv);
-      const std::vector<double> parts =
-        Utilities::string_to_double(Utilities::split_string_list(
-          options.take_value("--parts", "0.9, 0.45, 0.225")));
-      const CommandLine arguments = parse_command_line(options.rest());
-      const SceneReader reader(arguments.parameter_file, arguments.overrides);
-      for (const double part : parts)
-        run(reader.read<dim>(), part);
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "central_differences: " << error.what() << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, 1);
-    }
+  carry_out("central_differences", argc, argv, [](Options &options) {
+    const std::vector<double> parts =
+      Utilities::string_to_double(Utilities::split_string_list(
+        options.take_value("--parts", "0.9, 0.45, 0.225")));
+    const CommandLine arguments = parse_command_line(options.rest());
+    const SceneReader reader(arguments.parameter_file, arguments.overrides);
+    for (const double part : parts)
+      run(reader.read<dim>(), part);
+  });
 }

@@ -114,33 +114,19 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  const StickSlip::Libraries libraries;
-  try
-    {
-      Options           options(argc, argv);
-      const std::string solvers =
-        options.take_value("--solvers", "geometric,coupled,tnnmg,algebraic");
-      const unsigned int repetitions =
-        Utilities::string_to_int(options.take_value("--repetitions", "3"));
-      const bool times_only = options.take("--times-only");
-      AssertThrow(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1,
-                  ExcMessage("This is for one process."));
-      const CommandLine arguments = parse_command_line(options.rest());
-      const SceneReader reader(arguments.parameter_file, arguments.overrides);
-      if (reader.dimension() == 2)
-        measure(reader.read<2>(), solvers, repetitions, times_only);
-      else
-        measure(reader.read<3>(), solvers, repetitions, times_only);
-    }
-  catch (const dealii::ExceptionBase &error)
-    {
-      std::cerr << "linear_problem: ";
-      error.print_info(std::cerr);
-      return 1;
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "linear_problem: " << error.what() << std::endl;
-      return 1;
-    }
+  carry_out("linear_problem", argc, argv, [](Options &options) {
+    const std::string solvers =
+      options.take_value("--solvers", "geometric,coupled,tnnmg,algebraic");
+    const unsigned int repetitions =
+      Utilities::string_to_int(options.take_value("--repetitions", "3"));
+    const bool times_only = options.take("--times-only");
+    AssertThrow(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1,
+                ExcMessage("This is for one process."));
+    const CommandLine arguments = parse_command_line(options.rest());
+    const SceneReader reader(arguments.parameter_file, arguments.overrides);
+    if (reader.dimension() == 2)
+      measure(reader.read<2>(), solvers, repetitions, times_only);
+    else
+      measure(reader.read<3>(), solvers, repetitions, times_only);
+  });
 }

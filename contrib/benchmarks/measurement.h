@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <malloc.h>
+#include <stickslip/base/agreement.h>
 #include <stickslip/base/libraries.h>
 
 #include <algorithm>
@@ -162,6 +163,29 @@ namespace Measure
   private:
     std::vector<std::string> arguments;
   };
+
+
+
+  /** What main() of a program does that measures: what ends a measurement ends
+   * all processes, with a sentence. */
+  inline void
+  carry_out(const std::string                    &name,
+            int                                   argc,
+            char                                 *argv[],
+            const std::function<void(Options &)> &measure)
+  {
+    const StickSlip::Libraries libraries;
+    try
+      {
+        Options options(argc, argv);
+        measure(options);
+      }
+    catch (const std::exception &error)
+      {
+        std::cerr << name << ": " << StickSlip::sentence(error) << std::endl;
+        MPI_Abort(MPI_COMM_WORLD, 1);
+      }
+  }
 } // namespace Measure
 
 #endif

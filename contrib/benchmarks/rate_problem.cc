@@ -265,45 +265,30 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  const StickSlip::Libraries libraries;
-  try
-    {
-      Options options(argc, argv);
-      Task    task;
-      task.repetitions =
-        Utilities::string_to_int(options.take_value("--repetitions", "3"));
-      task.without_smoother = options.take("--without-smoother");
-      task.costs            = options.take("--costs");
-      if (options.take("--gauss-seidel"))
-        task.correction = Correction::none;
-      if (options.take("--amg"))
-        task.correction = Correction::amg;
-      task.taus = Utilities::string_to_double(
-        Utilities::split_string_list(options.take_value("--taus", "")));
-      for (std::string state = options.take_value("--state", "");
-           !state.empty();
-           state = options.take_value("--state", ""))
-        {
-          const auto colon = state.find(':');
-          task.states.emplace_back(state.substr(0, colon),
-                                   state.substr(colon + 1));
-        }
-      const CommandLine arguments = parse_command_line(options.rest());
-      const SceneReader reader(arguments.parameter_file, arguments.overrides);
-      if (reader.dimension() == 2)
-        measure(reader.read<2>(), task);
-      else
-        measure(reader.read<3>(), task);
-    }
-  catch (const dealii::ExceptionBase &error)
-    {
-      std::cerr << "rate_problem: ";
-      error.print_info(std::cerr);
-      MPI_Abort(MPI_COMM_WORLD, 1);
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "rate_problem: " << error.what() << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, 1);
-    }
+  carry_out("rate_problem", argc, argv, [](Options &options) {
+    Task task;
+    task.repetitions =
+      Utilities::string_to_int(options.take_value("--repetitions", "3"));
+    task.without_smoother = options.take("--without-smoother");
+    task.costs            = options.take("--costs");
+    if (options.take("--gauss-seidel"))
+      task.correction = Correction::none;
+    if (options.take("--amg"))
+      task.correction = Correction::amg;
+    task.taus = Utilities::string_to_double(
+      Utilities::split_string_list(options.take_value("--taus", "")));
+    for (std::string state = options.take_value("--state", ""); !state.empty();
+         state             = options.take_value("--state", ""))
+      {
+                    const auto colon = state.find(':');
+                    task.states.emplace_back(state.substr(0, colon),
+                                 state.substr(colon + 1));
+      }
+    const CommandLine arguments = parse_command_line(options.rest());
+    const SceneReader reader(arguments.parameter_file, arguments.overrides);
+    if (reader.dimension() == 2)
+      measure(reader.read<2>(), task);
+    else
+      measure(reader.read<3>(), task);
+  });
 }

@@ -39,9 +39,9 @@ namespace StickSlip
       stiffness = 2
     };
 
-    /** @p space must outlive this
-     * object; @p materials in the order of the bodies; @p gravity: its
-     * acceleration, m/s^2. Without inertia M is never assembled. */
+    /** @p space must outlive this object; @p materials in the order of the
+     * bodies; @p gravity: its acceleration, m/s^2. Without inertia M is never
+     * assembled. */
     EquationOfMotion(const ContactSpace<dim, n_components> &space,
                      const std::vector<MaterialFields>     &materials,
                      BoundaryValues<dim, n_components>     &boundary_values,
@@ -164,6 +164,7 @@ namespace StickSlip
                   std::vector<LevelDescription<n_components>> descriptions);
 
   private:
+    /** The matrix of a term; none where there is no such term. */
     static BlockMatrix<n_components> &
     matrix_of(ElasticMatrices<n_components> &matrices, const Term term);
 
@@ -177,7 +178,7 @@ namespace StickSlip
     const bool                             with_inertia;
 
     /** Terms in the nodal basis until an operator is made of them: they would
-     * be half of the memory, and to assemble them anew takes as long as the
+     * be a third of the memory, and to assemble them anew takes as long as the
      * rest of a new contact mapping. */
     std::unique_ptr<ElasticMatrices<n_components>> nodal_terms;
     std::shared_ptr<const BlockSparsity>           sparsity;
