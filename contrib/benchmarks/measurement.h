@@ -166,8 +166,8 @@ namespace Measure
 
 
 
-  /** What main() of a program does that measures: what ends a measurement ends
-   * all processes, with a sentence. */
+  /** The body of main() of a program that measures: failures end all processes,
+   * with a sentence. */
   inline void
   carry_out(const std::string                    &name,
             int                                   argc,
