@@ -420,6 +420,19 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  bool
+  BoundaryValues<dim, n_components>::velocities_become_constant() const
+  {
+    for (const Side &side : sides)
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (side.varies[c] && side.condition.type[c] == BoundaryType::velocity)
+          return false;
+    return true;
+  }
+
+
+
+  template <int dim, int n_components>
   double
   BoundaryValues<dim, n_components>::loading_error(const double       time,
                                                    const double       tau,

@@ -72,6 +72,11 @@ namespace StickSlip
     double
     longest_ramp() const;
 
+    /** True if prescribed velocities are the same at all times from the end of
+     * the longest ramp on. */
+    bool
+    velocities_become_constant() const;
+
     /**
      * The error of a step from @p time on if all that is known of the loads
      * are their values at its two ends: of the displacement of driven sides,

@@ -27,7 +27,9 @@ namespace StickSlip
     /** Always the largest step. */
     constant,
     /** Explicit steps of fifth order, without mass and viscosity. */
-    runge_kutta
+    runge_kutta,
+    /** Explicit steps of one size, with lumped mass. */
+    central_differences
   };
 
   /**
