@@ -114,6 +114,11 @@ CASES = {
         True,
     ),
     "explicit": (FAST + PLANE + EXPLICIT, 1, True),
+    "central differences": (
+        FAST + PLANE + ["Time/Step size control=central differences"],
+        1,
+        True,
+    ),
     "opening": (FAST + PLANE + OPENING, 1, True),
 }
 

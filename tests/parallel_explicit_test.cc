@@ -109,6 +109,25 @@ TEST(ParallelExplicit, FaultsAndBodiesAreTheSame)
 
 
 
+// Past nodes and parts of others, with a viscosity that the steps see late.
+TEST(ParallelExplicit, CentralDifferencesAreTheSame)
+{
+  SharedAndAlone runs(fast_sliding_scene(
+                        {"Time/Step size control=central differences",
+                         "Bodies/upper/Coarse cells=3, 1",
+                         "Time/End time=1"}),
+                      {1e-10, 1e-8, 1e-6});
+  EXPECT_GT(runs.alone.counts().contact_mappings, 2u);
+  EXPECT_LT(difference(runs.shared.state().displacement,
+                       runs.shared.meshes().finest().nodes,
+                       runs.alone.state().displacement,
+                       numbers_on_one(runs.shared.meshes().finest(),
+                                      runs.alone.meshes().finest())),
+            1e-8);
+}
+
+
+
 // Cells on the fault have two sizes, so that nodes on it hang.
 TEST(ParallelExplicit, GradedFaultsInSpaceAreTheSame)
 {

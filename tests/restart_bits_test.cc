@@ -150,6 +150,24 @@ TEST(Resume, ExplicitStepsGoOnWithTheSameBits)
 
 
 
+TEST(Resume, CentralDifferencesGoOnWithTheSameBits)
+{
+  const SceneParameters<2> scene =
+    fast_sliding_scene({"Time/Step size control=central differences"});
+  Simulation<2> kept(scene, MPI_COMM_WORLD),
+    never_written(scene, MPI_COMM_WORLD);
+  for (Simulation<2> *simulation : {&kept, &never_written})
+    {
+      simulation->set_up();
+      while (simulation->state().time < 1.)
+        simulation->advance();
+    }
+  EXPECT_GT(kept.counts().contact_mappings, 2u);
+  expect_same_bits(scene, never_written, kept, 200);
+}
+
+
+
 TEST(Resume, GoesOnWithTheSameBitsThroughAnEvent)
 {
   const SceneParameters<2> scene =

@@ -119,7 +119,6 @@ namespace StickSlip
     , first_of_process(sums_before(n_of_process))
     , n_all(std::accumulate(n_of_process.begin(), n_of_process.end(), 0u))
     , n_free(free.size())
-    , n_known(known.size())
   {
     NodeMask kept(nodes.n_local(), n_components);
     for (unsigned int i = 0; i < nodes.n_owned(); ++i)
@@ -132,7 +131,7 @@ namespace StickSlip
     factors.set_matrix(K, kept);
 
     const std::vector<int> known_of_process =
-      Utilities::MPI::all_gather(communicator, int(n_known));
+      Utilities::MPI::all_gather(communicator, int(known.size()));
     const unsigned int size =
       n_all +
       std::accumulate(known_of_process.begin(), known_of_process.end(), 0u);
@@ -184,17 +183,6 @@ namespace StickSlip
       multiply_symmetric_part(y, rows.data(), stride, x);
     else
       multiply_rows(y, n_free, rows.data(), stride, x);
-  }
-
-
-
-  template <int n_components>
-  void
-  SchurComplement<n_components>::multiply_known(
-    std::vector<double>       &y,
-    const std::vector<double> &x) const
-  {
-    multiply_rows(y, n_known, rows.data() + n_free * stride, stride, x);
   }
 
 

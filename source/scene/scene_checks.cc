@@ -342,22 +342,37 @@ namespace StickSlip
 
 
 
-    /** Explicit steps need slip rates that follow from the forces alone. */
+    /** Explicit steps need slip rates that follow from the forces alone, or
+     * from these and the mass of nodes. */
     template <int dim>
     void
     check_explicit(const SceneParameters<dim> &scene)
     {
-      if (scene.time.control != StepSizeControl::runge_kutta)
+      const bool has_mass =
+        scene.time.control == StepSizeControl::central_differences;
+      if (!has_mass && scene.time.control != StepSizeControl::runge_kutta)
         return;
-      const std::string entry = naming("Time/Step size control", "Runge-Kutta");
-      if (scene.time.inertia != Inertia::quasi_dynamic)
+      const std::string entry =
+        naming("Time/Step size control",
+               has_mass ? "central differences" : "Runge-Kutta");
+      if (has_mass && scene.time.inertia != Inertia::dynamic)
+        throw InputError(entry +
+                         ": needs 'Time/Inertia' = 'dynamic', since the mass "
+                         "of each node must tell its acceleration.");
+      if (!has_mass && scene.time.inertia != Inertia::quasi_dynamic)
         throw InputError(entry +
                          ": needs 'Time/Inertia' = 'quasi-dynamic', since slip "
                          "rates must follow from the forces of each moment.");
       for (const FaultParameters &fault : scene.faults)
-        if (fault.may_open())
-          throw InputError(entry + ": is for faults that do not open, but '" +
-                           fault.section() + "/Contact' = 'unilateral'.");
+        {
+          if (fault.may_open())
+            throw InputError(entry + ": is for faults that do not open, but '" +
+                             fault.section() + "/Contact' = 'unilateral'.");
+          if (has_mass && fault.normal_stress_follows)
+            throw InputError(
+              entry + ": is for normal stresses that stay as they are, but '" +
+              fault.section() + "/Normal stress follows' = 'true'.");
+        }
     }
 
 

@@ -285,7 +285,11 @@ namespace StickSlip
     step_size_controller->stop_if(must_stop);
     if (scene.output.energy_balance)
       energy = std::make_unique<EnergyBalance<dim, n_components>>(
-        problem, faults, laws, run_state.energy);
+        problem,
+        faults,
+        laws,
+        run_state.energy,
+        step_size_controller->lumped_mass());
   }
 
 

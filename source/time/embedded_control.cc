@@ -56,8 +56,7 @@ namespace StickSlip
           this->limit(memory,
                       state.time,
                       contact > 0. ? contact : memory.proposed);
-        const Prediction<dim> prediction = history.predict(state, tau);
-        StepResult<dim> result = this->take(memory, state, tau, &prediction);
+        StepResult<dim> result = attempt(memory, history, state, tau);
         double          factor = 0.5;
         std::string     reason = result.failure;
         if (result.converged)
@@ -113,6 +112,20 @@ namespace StickSlip
           }
         this->reject(memory, state.time, memory.proposed, reason);
       }
+  }
+
+
+
+  template <int dim, int n_components>
+  StepResult<dim>
+  EmbeddedControl<dim, n_components>::attempt(
+    StepMemory<dim>                      &memory,
+    const StepHistory<dim, n_components> &history,
+    const SystemState<dim>               &state,
+    const double                          tau)
+  {
+    const Prediction<dim> prediction = history.predict(state, tau);
+    return this->take(memory, state, tau, &prediction);
   }
 
 

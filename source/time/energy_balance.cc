@@ -39,14 +39,16 @@ namespace StickSlip
 
   template <int dim, int n_components>
   EnergyBalance<dim, n_components>::EnergyBalance(
-    SpatialProblem<dim, n_components> &problem,
-    const FaultNodes<dim>             &faults,
-    const NodeLaws                    &laws,
-    EnergyAccount                     &account)
+    SpatialProblem<dim, n_components>   &problem,
+    const FaultNodes<dim>               &faults,
+    const NodeLaws                      &laws,
+    EnergyAccount                       &account,
+    const LumpedMass<dim, n_components> *lumped_mass)
     : problem(problem)
     , faults(faults)
     , laws(laws)
     , account(account)
+    , lumped_mass(lumped_mass)
     , last(std::make_unique<Moment>())
     , end(std::make_unique<Moment>())
     , change(problem.make_vector())
@@ -58,6 +60,49 @@ namespace StickSlip
       for (unsigned int c = 0; c < n_components; ++c)
         if (!finest.fixed.is_active(i, c))
           driven.push_back(i * n_components + c);
+  }
+
+
+
+  template <int dim, int n_components>
+  template <typename Matrix>
+  double
+  EnergyBalance<dim, n_components>::quadratic_form(const Matrix      &A,
+                                                   const NodalVector &x) const
+  {
+    NodalVector w = problem.make_vector(), product = w;
+    problem.to_jumps(w, x);
+    A.vmult(product, w);
+    return 0.5 * (w * product);
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EnergyBalance<dim, n_components>::kinetic_energy(
+    const SystemState<dim> &state) const
+  {
+    using Problem = SpatialProblem<dim, n_components>;
+    if (lumped_mass)
+      return quadratic_form(*lumped_mass, state.velocity) -
+             state.last_step * state.last_step / 4. *
+               quadratic_form(*lumped_mass, state.acceleration);
+    return problem.has(Problem::mass) ?
+             quadratic_form(problem.term(Problem::mass), state.velocity) :
+             0.;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EnergyBalance<dim, n_components>::elastic_energy(
+    const SystemState<dim> &state) const
+  {
+    return quadratic_form(problem.term(
+                            SpatialProblem<dim, n_components>::stiffness),
+                          state.displacement);
   }
 
 
@@ -110,6 +155,18 @@ namespace StickSlip
     moment.force.assign(driven.size(),
                         std::numeric_limits<double>::quiet_NaN());
     moment.momentum = moment.force;
+    if (!lumped_mass)
+      return;
+    NodalVector product = problem.make_vector();
+    lumped_mass->vmult(product, moment.velocity);
+    for (unsigned int k = 0; k < driven.size(); ++k)
+      moment.momentum[k] = product.local_element(driven[k]);
+    moment.velocity_before = moment.velocity;
+    if (state.mean_velocity.size() > 0)
+      {
+        problem.to_jumps(moment.velocity_before, state.mean_velocity);
+        update_ghosts(moment.velocity_before);
+      }
   }
 
 
@@ -143,7 +200,10 @@ namespace StickSlip
     const bool has_mean = to.mean_velocity.size() > 0;
     if (has_mean)
       {
-        problem.to_jumps(change, to.mean_velocity);
+        if (lumped_mass)
+          change = end->velocity_before;
+        else
+          problem.to_jumps(change, to.mean_velocity);
         change *= tau;
       }
     else
@@ -249,7 +309,8 @@ namespace StickSlip
       {
         NodalVector force = change;
         C.vmult(force, change);
-        return 0.5 * (force * last->velocity + force * end->velocity);
+        return 0.5 * (force * last->viscous_velocity() +
+                      force * end->viscous_velocity());
       }
     update_ghosts(change);
     const double form = Kernels::quadratic_form<n_components>(
@@ -303,8 +364,8 @@ namespace StickSlip
     moment.force[k] = product(Problem::stiffness, moment.displacement) -
                       load(moment).local_element(driven[k]);
     if (problem.has(Problem::damping))
-      moment.force[k] += product(Problem::damping, moment.velocity);
-    if (problem.has(Problem::mass))
+      moment.force[k] += product(Problem::damping, moment.viscous_velocity());
+    if (problem.has(Problem::mass) && !lumped_mass)
       moment.momentum[k] = product(Problem::mass, moment.velocity);
   }
 
@@ -327,20 +388,6 @@ namespace StickSlip
                                        entry % n_components,
                                        velocity_change);
     return Utilities::MPI::sum(work, change.get_mpi_communicator());
-  }
-
-
-
-  template <int dim, int n_components>
-  double
-  EnergyBalance<dim, n_components>::quadratic_form(
-    const typename SpatialProblem<dim, n_components>::Term term,
-    const NodalVector                                     &x) const
-  {
-    NodalVector w = problem.make_vector(), product = w;
-    problem.to_jumps(w, x);
-    problem.term(term).vmult(product, w);
-    return 0.5 * (w * product);
   }
 
 

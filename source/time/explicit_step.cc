@@ -176,20 +176,14 @@ namespace StickSlip
     error          = std::numeric_limits<double>::quiet_NaN();
 
     // The start of the step, and what drives it.
-    const Forces      start     = bodies.forces_in(from);
-    const NodalVector load_rate = bodies.load_rate(from.time + tau, tau),
-                      known     = bodies.known_velocities(from.time),
-                      known_end = bodies.known_velocities(from.time + tau);
-    const Forces drive          = bodies.driven_forces(known, load_rate),
-                 drive_end      = bodies.driven_forces(known_end, load_rate);
+    const Forces start  = bodies.forces_in(from);
+    const auto   drives = bodies.drive(from.time, tau);
+    const Drive &drive = *drives.first, &drive_end = *drives.second;
 
     // Stages, of which the last one is the end.
     std::array<Stage, n_stages> stages;
-    // Slip rates that are prescribed may jump at the start of a run.
-    const Slip known_slip     = faults.tangential_jumps(known),
-               known_slip_end = faults.tangential_jumps(known_end);
-    Forces              forces;
-    std::vector<double> alpha, normal_stress;
+    Forces                      forces;
+    std::vector<double>         alpha, normal_stress;
     for (unsigned int i = 0; i < n_stages; ++i)
       {
         alpha  = from.alpha;
@@ -209,12 +203,16 @@ namespace StickSlip
         stages[i].slip_rate = i == 0 ? from.slip_rate : stages[i - 1].slip_rate;
         for (unsigned int k = 0; k < faults.size(); ++k)
           if (!bodies.slips_freely(k))
-            stages[i].slip_rate[k] = known_slip_end[k];
+            // Prescribed rates may jump at the start of a run.
+            stages[i].slip_rate[k] = drive_end.slip_rate[k];
         if (!find_rates(stages[i], alpha, forces.free, normal_stress))
           return result;
         // Nothing comes after the last one.
         if (i + 1 < n_stages)
-          set_force_rates(stages[i], parts[i], drive, drive_end);
+          set_force_rates(stages[i],
+                          parts[i],
+                          drive.force_rate,
+                          drive_end.force_rate);
       }
 
     std::vector<double> state_errors(faults.size()), slip_errors(faults.size());
@@ -225,7 +223,8 @@ namespace StickSlip
         const FaultLaw &law = laws[k];
         if (!bodies.slips_freely(k))
           {
-            to.mean_slip_rate[k] = 0.5 * (known_slip[k] + known_slip_end[k]);
+            to.mean_slip_rate[k] =
+              0.5 * (drive.slip_rate[k] + drive_end.slip_rate[k]);
             if (law.state_law)
               alpha[k] = law.state_law->updated(StateUpdate::exponential,
                                                 from.alpha[k],
@@ -250,23 +249,20 @@ namespace StickSlip
     if (!(error <= tolerance))
       return result;
 
-    // Forces on known entries follow the mean rates.
+    // Forces on prescribed entries follow the mean rates.
     std::vector<double> mean_rates;
     for (const auto &[k, d] : bodies.all_free())
       mean_rates.push_back(to.mean_slip_rate[k][d]);
-    add(forces.known, 0.5 * tau, drive.known);
-    add(forces.known, 0.5 * tau, drive_end.known);
-    add(forces.known, tau, bodies.known_forces_of_slip(mean_rates));
+    add(forces.prescribed, 0.5 * tau, drive.force_rate.prescribed);
+    add(forces.prescribed, 0.5 * tau, drive_end.force_rate.prescribed);
+    add(forces.prescribed, tau, bodies.prescribed_forces_of_slip(mean_rates));
 
-    to.time                = from.time + tau;
-    to.last_step           = tau;
-    to.alpha               = alpha;
-    to.slip_rate           = stages[n_stages - 1].slip_rate;
-    to.normal_stress       = normal_stress;
-    NodalVector mean_known = known;
-    mean_known += known_end;
-    mean_known *= 0.5;
-    set_end(to, from, mean_known, forces);
+    to.time          = from.time + tau;
+    to.last_step     = tau;
+    to.alpha         = alpha;
+    to.slip_rate     = stages[n_stages - 1].slip_rate;
+    to.normal_stress = normal_stress;
+    set_end(to, from, drive, drive_end, forces);
     result.converged = true;
     return result;
   }
@@ -277,7 +273,8 @@ namespace StickSlip
   void
   ExplicitStep<dim, n_components>::set_end(SystemState<dim>       &to,
                                            const SystemState<dim> &from,
-                                           const NodalVector      &mean_known,
+                                           const Drive            &drive,
+                                           const Drive            &drive_end,
                                            const Forces           &end) const
   {
     const double tau = to.last_step;
@@ -285,14 +282,16 @@ namespace StickSlip
     for (unsigned int k = 0; k < to.slip.size(); ++k)
       to.slip[k] += tau * to.mean_slip_rate[k];
 
-    to.fault_force = faults.tangential_jumps(bodies.forces_in_jump_basis(end));
+    to.fault_force = bodies.forces_on_faults(end);
     if (following.is_needed())
       to.contact_pressure = end.pressure;
     to.balancing_traction =
       balancing_tractions(faults, laws, to, to.fault_force);
 
     // Driven sides and faults move, and the rest waits.
-    NodalVector change = mean_known, nodal = problem.make_nodal_vector();
+    NodalVector change = drive.velocity, nodal = problem.make_nodal_vector();
+    if (&drive != &drive_end)
+      change.sadd(0.5, 0.5, drive_end.velocity);
     bodies.set_free_slip(change, to.mean_slip_rate);
     problem.to_nodal(nodal, change);
     to.displacement = from.displacement;

@@ -7,7 +7,6 @@
 #include <stickslip/faults/contact_pressure.h>
 #include <stickslip/time/quasistatic_bodies.h>
 
-#include <algorithm>
 
 namespace StickSlip
 {
@@ -45,7 +44,11 @@ namespace StickSlip
               entry != numbers::invalid_unsigned_int)
             here[entry] = {nodes[i], d};
           else if (laws[nodes[i]].is_prescribed)
-            known_entries.push_back(faults.node(nodes[i]) * n_components + d);
+            {
+              prescribed_entries.push_back(known_entries.size());
+              prescribed_places.emplace_back(nodes[i], d);
+              known_entries.push_back(faults.node(nodes[i]) * n_components + d);
+            }
         if (with_pressures && n_components == dim)
           known_entries.push_back(faults.node(nodes[i]) * n_components +
                                   FaultAxes<dim>::normal_component);
@@ -106,6 +109,17 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  bool
+  QuasistaticBodies<dim, n_components>::is_steady(const double time) const
+  {
+    return problem.has_constant_load() &&
+           problem.boundary_values().velocities_become_constant() &&
+           time >= problem.longest_ramp();
+  }
+
+
+
+  template <int dim, int n_components>
   NodalVector
   QuasistaticBodies<dim, n_components>::known_velocities(
     const double time) const
@@ -127,7 +141,9 @@ namespace StickSlip
   QuasistaticBodies<dim, n_components>::velocities_of_faults(
     const SystemState<dim> &state) const
   {
-    NodalVector w = known_velocities(state.time);
+    NodalVector w = steady_drive && is_steady(state.time) ?
+                      steady_drive->velocity :
+                      known_velocities(state.time);
     set_free_slip(w, state.slip_rate);
     return w;
   }
@@ -164,27 +180,17 @@ namespace StickSlip
 
   template <int dim, int n_components>
   typename QuasistaticBodies<dim, n_components>::Forces
-  QuasistaticBodies<dim, n_components>::gather(const NodalVector &forces) const
-  {
-    Forces result;
-    for (const unsigned int position : entries.positions)
-      result.free.push_back(forces.local_element(position));
-    for (const unsigned int position : known_entries)
-      result.known.push_back(forces.local_element(position));
-    return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  typename QuasistaticBodies<dim, n_components>::Forces
   QuasistaticBodies<dim, n_components>::forces_of(const NodalVector &w,
                                                   const NodalVector &load) const
   {
     NodalVector forces = problem.make_vector();
     problem.term(SpatialProblem<dim, n_components>::stiffness)
       .residual(forces, load, w);
-    Forces result = gather(forces);
+    Forces result;
+    for (const unsigned int position : entries.positions)
+      result.free.push_back(forces.local_element(position));
+    for (const unsigned int k : prescribed_entries)
+      result.prescribed.push_back(forces.local_element(known_entries[k]));
     if (with_pressures)
       {
         forces *= -1.;
@@ -210,12 +216,14 @@ namespace StickSlip
         balance(u, load);
         return forces_of(u, load);
       }
-    NodalVector forces = problem.make_vector();
-    for (const unsigned int k : faults.owned_contact())
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        forces.local_element(faults.node(k) * n_components + d) =
-          state.fault_force[k][d];
-    Forces result = gather(forces);
+    Forces result;
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      {
+        const auto [k, d] = places[first_place + i];
+        result.free.push_back(state.fault_force[k][d]);
+      }
+    for (const auto &[k, d] : prescribed_places)
+      result.prescribed.push_back(state.fault_force[k][d]);
     if (with_pressures)
       result.pressure = state.contact_pressure;
     return result;
@@ -224,25 +232,37 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  const typename QuasistaticBodies<dim, n_components>::Forces &
-  QuasistaticBodies<dim, n_components>::driven_forces(
-    const NodalVector &known,
-    const NodalVector &load_rate)
+  std::shared_ptr<const typename QuasistaticBodies<dim, n_components>::Drive>
+  QuasistaticBodies<dim, n_components>::make_drive(const double       time,
+                                                   const NodalVector &load_rate)
   {
     prepare();
-    const bool load_varies = load_rate.linfty_norm() > 0.;
-    const bool is_new      = driven_by.size() == 0 || load_varies ||
-                        !std::equal(known.begin(),
-                                    known.begin() + known.locally_owned_size(),
-                                    driven_by.begin());
-    if (Utilities::MPI::max(int(is_new), known.get_mpi_communicator()) > 0)
+    auto result        = std::make_shared<Drive>();
+    result->velocity   = known_velocities(time);
+    result->slip_rate  = faults.tangential_jumps(result->velocity);
+    NodalVector motion = result->velocity;
+    balance(motion, load_rate);
+    result->force_rate = forces_of(motion, load_rate);
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  std::pair<
+    std::shared_ptr<const typename QuasistaticBodies<dim, n_components>::Drive>,
+    std::shared_ptr<const typename QuasistaticBodies<dim, n_components>::Drive>>
+  QuasistaticBodies<dim, n_components>::drive(const double from,
+                                              const double tau)
+  {
+    if (!is_steady(from))
       {
-        NodalVector w = known;
-        balance(w, load_rate);
-        driven    = forces_of(w, load_rate);
-        driven_by = load_varies ? NodalVector() : known;
+        const NodalVector rate = load_rate(from + tau, tau);
+        return {make_drive(from, rate), make_drive(from + tau, rate)};
       }
-    return driven;
+    if (!steady_drive)
+      steady_drive = make_drive(from, problem.make_vector());
+    return {steady_drive, steady_drive};
   }
 
 
@@ -300,29 +320,43 @@ namespace StickSlip
 
   template <int dim, int n_components>
   std::vector<double>
-  QuasistaticBodies<dim, n_components>::known_forces_of_slip(
+  QuasistaticBodies<dim, n_components>::prescribed_forces_of_slip(
     const std::vector<double> &rates)
   {
     prepare();
-    std::vector<double> result;
-    condensed->multiply_known(result, rates);
-    for (double &force : result)
-      force *= -1.;
+    std::vector<double> result, force;
+    for (const unsigned int k : prescribed_entries)
+      {
+        multiply_rows(
+          force, 1, condensed->row_of_known(k), rates.size(), rates);
+        result.push_back(-force[0]);
+      }
     return result;
   }
 
 
 
   template <int dim, int n_components>
-  NodalVector
-  QuasistaticBodies<dim, n_components>::forces_in_jump_basis(
+  typename QuasistaticBodies<dim, n_components>::Slip
+  QuasistaticBodies<dim, n_components>::forces_on_faults(
     const Forces &forces) const
   {
-    NodalVector result = problem.make_vector();
+    std::vector<double> all(faults.size() * (dim - 1));
     for (unsigned int i = 0; i < entries.size(); ++i)
-      result.local_element(entries.positions[i]) = forces.free[i];
-    for (unsigned int i = 0; i < known_entries.size(); ++i)
-      result.local_element(known_entries[i]) = forces.known[i];
+      {
+        const auto [k, d]      = places[first_place + i];
+        all[k * (dim - 1) + d] = forces.free[i];
+      }
+    for (unsigned int i = 0; i < prescribed_places.size(); ++i)
+      {
+        const auto [k, d]      = prescribed_places[i];
+        all[k * (dim - 1) + d] = forces.prescribed[i];
+      }
+    sum_up(all, problem.hierarchy().finest().nodes.communicator());
+    Slip result(faults.size());
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        result[k][d] = all[k * (dim - 1) + d];
     return result;
   }
 
@@ -372,6 +406,8 @@ namespace StickSlip
     Influence         result;
     result.of_loads = problem.make_vector();
     balance(result.of_loads, e);
+    if (problem.has_constant_load())
+      result.of_constant_load = result.of_loads * problem.load(0.);
     NodalVector known = problem.make_vector();
     problem.term(SpatialProblem<dim, n_components>::stiffness)
       .residual(known, e, result.of_loads);
@@ -398,21 +434,31 @@ namespace StickSlip
     while (influences.size() < functionals.size())
       influences.push_back(influence(functionals[influences.size()]));
 
-    const auto values_of = [&](const NodalVector &w, const NodalVector &load) {
+    const auto values_of = [&](const NodalVector &w) {
       std::vector<double> result;
       for (const Influence &influence : influences)
         result.push_back(part_of_value(influence.of_known, w));
       sum_up(result, problem.hierarchy().finest().nodes.communicator());
-      if (load.linfty_norm() > 0.)
-        for (unsigned int i = 0; i < result.size(); ++i)
-          result[i] += influences[i].of_loads * load;
       return result;
     };
     NodalVector w = problem.make_vector();
     problem.to_jumps(w, state.displacement);
-    return {values_of(w, problem.load(state.time)),
-            values_of(velocities_of_faults(state),
-                      load_rate(state.time, state.last_step))};
+    FunctionalValues result{values_of(w),
+                            values_of(velocities_of_faults(state))};
+    if (problem.has_constant_load())
+      for (unsigned int i = 0; i < influences.size(); ++i)
+        result.of_displacement[i] += influences[i].of_constant_load;
+    else
+      {
+        const NodalVector load = problem.load(state.time),
+                          rate = load_rate(state.time, state.last_step);
+        for (unsigned int i = 0; i < influences.size(); ++i)
+          {
+            result.of_displacement[i] += influences[i].of_loads * load;
+            result.of_velocity[i] += influences[i].of_loads * rate;
+          }
+      }
+    return result;
   }
 
 

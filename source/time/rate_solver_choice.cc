@@ -109,7 +109,8 @@ namespace StickSlip
     if (parameters.rate_solver != RateSolver::automatic)
       return {parameters.rate_solver, ""};
     // Explicit steps have no rate problem.
-    if (parameters.control == StepSizeControl::runge_kutta)
+    if (parameters.control == StepSizeControl::runge_kutta ||
+        parameters.control == StepSizeControl::central_differences)
       return {RateSolver::tnnmg, ""};
     if (tnnmg.linear_correction != LinearCorrectionType::multigrid)
       return {RateSolver::tnnmg, "'TNNMG/Linear correction' is not multigrid"};

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/base/time_resolution.h>
+#include <stickslip/time/central_differences_control.h>
 #include <stickslip/time/embedded_control.h>
 #include <stickslip/time/explicit_control.h>
 #include <stickslip/time/step_doubling.h>
@@ -149,9 +150,8 @@ namespace StickSlip
   StepSizeController<dim, n_components>::on_grid(const double tau) const
   {
     // Sizes that were computed as a grid size must not fall to the next.
-    const double halvings =
-      std::ceil(std::log2(parameters.largest_step / tau) - 1e-9);
-    return parameters.largest_step * std::exp2(-std::max(0., halvings));
+    const double halvings = std::ceil(std::log2(longest_step() / tau) - 1e-9);
+    return longest_step() * std::exp2(-std::max(0., halvings));
   }
 
 
@@ -283,6 +283,9 @@ namespace StickSlip
           return std::make_unique<ConstantStep<dim, n_components>>(step,
                                                                    parameters,
                                                                    loads);
+        case StepSizeControl::central_differences:
+          return std::make_unique<CentralDifferencesControl<dim, n_components>>(
+            step, parameters, loads);
         case StepSizeControl::runge_kutta:
           return std::make_unique<ExplicitControl<dim, n_components>>(
             step, parameters, loads);

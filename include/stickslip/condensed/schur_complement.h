@@ -47,11 +47,8 @@ namespace StickSlip
     void
     multiply(std::vector<double> &y, const std::vector<double> &x) const;
 
-    /** y = S_PF x. */
-    void
-    multiply_known(std::vector<double> &y, const std::vector<double> &x) const;
-
-    /** The row of S_PF of the k-th of P of this process. */
+    /** The row of S_PF of the k-th of P of this process, n_entries() numbers.
+     */
     const double *
     row_of_known(const unsigned int k) const
     {
@@ -68,7 +65,7 @@ namespace StickSlip
     MumpsFactorisation<n_components> factors;
     /** Numbers of entries F of each process, and of those before. */
     std::vector<int> n_of_process, first_of_process;
-    unsigned int     n_all = 0, n_free = 0, n_known = 0;
+    unsigned int     n_all = 0, n_free = 0;
     /** Rows of F, then of P, of which the first n_all numbers are read. */
     std::vector<double> rows;
     std::size_t         stride = 0;

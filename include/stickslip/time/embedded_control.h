@@ -23,6 +23,13 @@ namespace StickSlip
     std::vector<StepResult<dim>>
     accepted_steps(const SystemState<dim> &state,
                    StepMemory<dim>        &memory) override;
+
+    /** A step of size @p tau from the last state of @p history, counted. */
+    virtual StepResult<dim>
+    attempt(StepMemory<dim>                      &memory,
+            const StepHistory<dim, n_components> &history,
+            const SystemState<dim>               &state,
+            const double                          tau);
   };
 } // namespace StickSlip
 

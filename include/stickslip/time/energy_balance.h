@@ -6,6 +6,7 @@
 
 #include <stickslip/faults/fault_nodes.h>
 #include <stickslip/faults/node_laws.h>
+#include <stickslip/problem/lumped_mass.h>
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
 
@@ -93,19 +94,27 @@ namespace StickSlip
    * Without inertia there is no kinetic energy. The work of a force in a step
    * is the mean of the force at both ends on the change of the displacement,
    * as Newmark's method has it, and the equation at both ends without mass: the
-   * balance is exact then. Friction is taken from the law at the state and slip
-   * rate that are written, so that what is missing is what iterations leave of
-   * the step, and what new contact mappings add or take.
+   * balance is exact then. Central differences have it so as well, with the
+   * viscous forces half a step before and with
+   *
+   *   1/2 v . M v - tau^2/8 a . M a
+   *
+   * as kinetic energy, the product of the velocities half a step before and
+   * after, where the step was of size tau. Friction is taken from the law at
+   * the state and slip rate that are written, so that what is missing is what
+   * iterations leave of the step, and what new contact mappings add or take.
    */
   template <int dim, int n_components = dim>
   class EnergyBalance
   {
   public:
-    /** Work with one contact mapping. All must live longer. */
-    EnergyBalance(SpatialProblem<dim, n_components> &problem,
-                  const FaultNodes<dim>             &faults,
-                  const NodeLaws                    &laws,
-                  EnergyAccount                     &account);
+    /** Work with one contact mapping. @p lumped_mass: of central differences,
+     * null for other steps. All must live longer. */
+    EnergyBalance(SpatialProblem<dim, n_components>   &problem,
+                  const FaultNodes<dim>               &faults,
+                  const NodeLaws                      &laws,
+                  EnergyAccount                       &account,
+                  const LumpedMass<dim, n_components> *lumped_mass = nullptr);
 
     /** Keep the account from @p state on. Collective, as the next three. */
     void
@@ -132,22 +141,12 @@ namespace StickSlip
       return account.work;
     }
 
-    /** 1/2 v . M v and 1/2 u . K u, J. Collective. */
+    /** Kinetic energy, see above, and 1/2 u . K u, J. Collective. */
     double
-    kinetic_energy(const SystemState<dim> &state) const
-    {
-      return problem.has(SpatialProblem<dim, n_components>::mass) ?
-               quadratic_form(SpatialProblem<dim, n_components>::mass,
-                              state.velocity) :
-               0.;
-    }
+    kinetic_energy(const SystemState<dim> &state) const;
 
     double
-    elastic_energy(const SystemState<dim> &state) const
-    {
-      return quadratic_form(SpatialProblem<dim, n_components>::stiffness,
-                            state.displacement);
-    }
+    elastic_energy(const SystemState<dim> &state) const;
 
     /** The change of kinetic and elastic energy since the start that is not
      * in work(), J. Collective. */
@@ -178,8 +177,18 @@ namespace StickSlip
     struct Moment
     {
       NodalVector displacement, velocity;
+      /** The velocity half a step before; empty but with central differences.
+       */
+      NodalVector velocity_before;
       /** Empty where the load is constant. */
       NodalVector load;
+
+      /** The velocity that viscous forces are of. */
+      const NodalVector &
+      viscous_velocity() const
+      {
+        return velocity_before.size() > 0 ? velocity_before : velocity;
+      }
 
       /** Force without inertia, N, and momentum, kg m/s, at the entries of
        * driven; NaN where nobody has asked. */
@@ -225,15 +234,17 @@ namespace StickSlip
     double
     driven_work_of_impacts(const NodalVector &velocity_change) const;
 
-    /** 1/2 x . A x of nodal values and a term of the problem. */
+    /** 1/2 x . A x of nodal values and a matrix in the jump basis. */
+    template <typename Matrix>
     double
-    quadratic_form(const typename SpatialProblem<dim, n_components>::Term term,
-                   const NodalVector &x) const;
+    quadratic_form(const Matrix &A, const NodalVector &x) const;
 
     SpatialProblem<dim, n_components> &problem;
     const FaultNodes<dim>             &faults;
     const NodeLaws                    &laws;
     EnergyAccount                     &account;
+    /** Null where the mass is that of the problem. */
+    const LumpedMass<dim, n_components> *const lumped_mass;
 
     /** Entries of owned nodes that are fixed, node after node. */
     std::vector<unsigned int> driven;

@@ -59,6 +59,7 @@ namespace StickSlip
   private:
     using Slip   = typename QuasistaticBodies<dim, n_components>::Slip;
     using Forces = typename QuasistaticBodies<dim, n_components>::Forces;
+    using Drive  = typename QuasistaticBodies<dim, n_components>::Drive;
 
     /** Rates at one of the times within a step: slip rates on the free entries
      * of all processes, and of all nodes. */
@@ -89,7 +90,8 @@ namespace StickSlip
     void
     set_end(SystemState<dim>       &to,
             const SystemState<dim> &from,
-            const NodalVector      &mean_known,
+            const Drive            &drive,
+            const Drive            &drive_end,
             const Forces           &end) const;
 
     SpatialProblem<dim, n_components> &problem;

@@ -38,12 +38,22 @@ namespace StickSlip
   public:
     using Slip = std::vector<Tensor<1, dim - 1>>;
 
-    /** Forces on the free and on the known entries of this process, N, and
-     * contact pressures of all slave nodes, Pa, empty where they are not asked
-     * for; or their rates. */
+    /** Forces on the free entries and on those with a prescribed slip rate, N,
+     * both of this process, and contact pressures of all slave nodes, Pa, empty
+     * where they are not asked for; or their rates. */
     struct Forces
     {
-      std::vector<double> free, known, pressure;
+      std::vector<double> free, prescribed, pressure;
+    };
+
+    /** What drives the bodies at one moment: velocities that are known, in the
+     * jump basis and zero else, the slip rates among them, and the rates of
+     * forces that go with these velocities and the loads alone. */
+    struct Drive
+    {
+      NodalVector velocity;
+      Slip        slip_rate;
+      Forces      force_rate;
     };
 
     /** Bodies with one contact mapping, that have neither mass nor viscosity,
@@ -76,40 +86,31 @@ namespace StickSlip
     std::vector<double>
     on_all(const std::vector<double> &values);
 
-    /** The velocities that are known at @p time, in the jump basis, and zero
-     * else. */
-    NodalVector
-    known_velocities(const double time) const;
-
-    /** The change of the load over the step that has led to @p time, over its
-     * size; zero at the start. */
-    NodalVector
-    load_rate(const double time, const double tau) const;
+    /** The drive at the start and the end of a step of size @p tau from time
+     * @p from on, in which loads are linear; the same object for both, and in
+     * all such steps, where nothing that is prescribed changes any more. */
+    std::pair<std::shared_ptr<const Drive>, std::shared_ptr<const Drive>>
+    drive(const double from, const double tau);
 
     /** The forces in a state: those that it carries, or those of its bodies in
      * equilibrium. */
     Forces
     forces_in(const SystemState<dim> &state);
 
-    /** The rates of forces that go with known velocities and loads alone; valid
-     * until the next call. */
-    const Forces &
-    driven_forces(const NodalVector &known, const NodalVector &load_rate);
-
     /** The rates of forces on free entries and of pressures, but not of forces
-     * on known ones, for @p rates of slip on the free entries of all. */
+     * on prescribed ones, for @p rates of slip on the free entries of all. */
     Forces
     forces_of_slip(const std::vector<double> &rates);
 
-    /** The rates of forces on known entries for @p rates of slip on the free
-     * entries of all. */
+    /** The rates of forces on prescribed entries for @p rates of slip on the
+     * free entries of all. */
     std::vector<double>
-    known_forces_of_slip(const std::vector<double> &rates);
+    prescribed_forces_of_slip(const std::vector<double> &rates);
 
-    /** Forces in the jump basis, N; zero where they are neither on free nor on
-     * known entries. */
-    NodalVector
-    forces_in_jump_basis(const Forces &forces) const;
+    /** The forces along the slip of all slave nodes, N; zero where it is
+     * neither free nor prescribed. */
+    Slip
+    forces_on_faults(const Forces &forces) const;
 
     /** Set the slip rates of the nodes that slip freely in a vector of the jump
      * basis. */
@@ -140,11 +141,31 @@ namespace StickSlip
     {
       NodalFunctional of_known;
       NodalVector     of_loads;
+      /** z b of a load that is constant. */
+      double of_constant_load = 0.;
     };
 
     /** Make the matrices, unless that has been done. */
     void
     prepare();
+
+    /** True if nothing that is prescribed changes from @p time on. */
+    bool
+    is_steady(const double time) const;
+
+    /** The velocities that are known at @p time, in the jump basis, and zero
+     * else. */
+    NodalVector
+    known_velocities(const double time) const;
+
+    /** The change of the load over the step that has led to @p time, over its
+     * size; zero at the start. */
+    NodalVector
+    load_rate(const double time, const double tau) const;
+
+    /** The drive at @p time with this rate of the load. */
+    std::shared_ptr<const Drive>
+    make_drive(const double time, const NodalVector &load_rate);
 
     /** The velocities that a state says in the jump basis: those that are known
      * and slip rates, and zero else. */
@@ -159,10 +180,6 @@ namespace StickSlip
      * under the forces @p load. */
     void
     balance(NodalVector &w, const NodalVector &load);
-
-    /** The entries of @p forces in the jump basis that are free or known. */
-    Forces
-    gather(const NodalVector &forces) const;
 
     /** The forces of bodies that have been balanced, or their rates. */
     Forces
@@ -180,7 +197,12 @@ namespace StickSlip
     /** Positions of the entries of this process whose forces matter although
      * their jumps are known: those that are prescribed, and with pressures the
      * normal ones. */
-    std::vector<unsigned int>                          known_entries;
+    std::vector<unsigned int> known_entries;
+    /** Numbers among these of the ones that are prescribed, and node and
+     * direction of each. */
+    std::vector<unsigned int>                          prescribed_entries;
+    std::vector<std::pair<unsigned int, unsigned int>> prescribed_places;
+    /** Node and direction of each free entry of all processes. */
     std::vector<std::pair<unsigned int, unsigned int>> places;
     /** The number among these of the first one of this process. */
     unsigned int first_place = 0;
@@ -191,9 +213,8 @@ namespace StickSlip
     std::vector<double> pressures_of_slip;
     /** Of the functionals of body_values(). */
     std::vector<Influence> influences;
-    /** Known velocities, and the rates of forces that go with them alone. */
-    NodalVector driven_by;
-    Forces      driven;
+    /** The drive once nothing changes any more; null before. */
+    std::shared_ptr<const Drive> steady_drive;
   };
 } // namespace StickSlip
 

@@ -5,6 +5,7 @@
 #define stickslip_time_step_size_control_h
 
 #include <stickslip/base/agreed_failure.h>
+#include <stickslip/problem/lumped_mass.h>
 #include <stickslip/problem/nodal_functional.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/time/step_history.h>
@@ -35,7 +36,7 @@ namespace StickSlip
    * no trace in the state: it is forgotten and tried anew with a smaller size.
    * Everything that is remembered from step to step is in a StepMemory.
    *
-   * The sizes used are largest_step 2^-k, but for the last steps to the end
+   * The sizes used are longest_step() 2^-k, but for the last steps to the end
    * time and to breaks of the loads, so that few different operators occur.
    */
   template <int dim, int n_components = dim>
@@ -72,6 +73,14 @@ namespace StickSlip
     virtual FunctionalValues
     body_values(const SystemState<dim>             &state,
                 const std::vector<NodalFunctional> &functionals);
+
+    /** The mass that steps take in the place of that of the problem; null for
+     * none. */
+    virtual const LumpedMass<dim, n_components> *
+    lumped_mass() const
+    {
+      return nullptr;
+    }
 
     /** Look at @p condition between two attempts, if it is not empty; the same
      * answer on all processes. */
@@ -121,7 +130,14 @@ namespace StickSlip
     StepHistory<dim, n_components>
     history(StepMemory<dim> &memory, const SystemState<dim> &state) const;
 
-    /** The largest size of the form largest_step 2^-k up to @p tau. */
+    /** The longest step that may be taken, s. */
+    virtual double
+    longest_step() const
+    {
+      return parameters.largest_step;
+    }
+
+    /** The largest size of the form longest_step() 2^-k up to @p tau. */
     double
     on_grid(const double tau) const;
 
