@@ -114,6 +114,14 @@ namespace StickSlip
     if (!rate_solver.reason.empty() &&
         Utilities::MPI::this_mpi_process(communicator) == 0)
       std::cout << "Rate solver: " << text_of(rate_solver) << '.' << std::endl;
+    if (scene.time.control == StepSizeControl::central_differences &&
+        Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cout << "Central differences: steps of "
+                << step_size_controller->longest_step()
+                << " s are stable, at least "
+                << std::ceil((scene.time.end_time - state().time) /
+                             step_size_controller->longest_step())
+                << " of them." << std::endl;
 
     // From here on a signal ends the run after the current step.
     const Interrupt interrupt;

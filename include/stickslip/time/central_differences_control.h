@@ -28,13 +28,13 @@ namespace StickSlip
       return &explicit_step.lumped_mass();
     }
 
-  protected:
     double
     longest_step() const override
     {
       return longest;
     }
 
+  protected:
     StepResult<dim>
     attempt(StepMemory<dim>                      &memory,
             const StepHistory<dim, n_components> &history,

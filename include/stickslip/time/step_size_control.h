@@ -74,6 +74,13 @@ namespace StickSlip
     body_values(const SystemState<dim>             &state,
                 const std::vector<NodalFunctional> &functionals);
 
+    /** The longest step that may be taken, s. */
+    virtual double
+    longest_step() const
+    {
+      return parameters.largest_step;
+    }
+
     /** The mass that steps take in the place of that of the problem; null for
      * none. */
     virtual const LumpedMass<dim, n_components> *
@@ -129,13 +136,6 @@ namespace StickSlip
      */
     StepHistory<dim, n_components>
     history(StepMemory<dim> &memory, const SystemState<dim> &state) const;
-
-    /** The longest step that may be taken, s. */
-    virtual double
-    longest_step() const
-    {
-      return parameters.largest_step;
-    }
 
     /** The largest size of the form longest_step() 2^-k up to @p tau. */
     double
