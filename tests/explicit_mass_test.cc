@@ -140,8 +140,8 @@ namespace
 
 
 
-  /** Whether M - tau/2 C - tau^2/4 K is positive definite where nothing is
-   * fixed. */
+  /** Return whether M - tau/2 C - tau^2/4 K is positive definite where nothing
+   * is fixed. */
   template <int dim, int n_components>
   bool
   is_stable(Bodies<dim, n_components> &bodies, const double tau)

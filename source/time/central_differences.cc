@@ -66,11 +66,10 @@ namespace StickSlip
                                                 const NodalVector &velocity)
   {
     using Problem = SpatialProblem<dim, n_components>;
-    if (steady_load.size() == 0 || !problem.has_constant_load())
-      steady_load = problem.load(time);
+    if (load.size() == 0 || !problem.has_constant_load())
+      load = problem.load(time);
     NodalVector result = problem.make_vector();
-    problem.term(Problem::stiffness)
-      .residual(result, steady_load, displacement);
+    problem.term(Problem::stiffness).residual(result, load, displacement);
     if (problem.has(Problem::damping))
       {
         const NodalVector elastic = result;
@@ -206,7 +205,7 @@ namespace StickSlip
     const Unknowns &unknowns    = problem.operators().unknowns();
     const bool      has_damping = problem.has(Problem::damping);
     NodalVector     x = problem.make_vector(), stiff = x, viscous = x, p = x;
-    // Numbers without a pattern, the same on any number of processes.
+    // Numbers without a pattern.
     for (unsigned int i = 0; i < unknowns.nodes.n_owned(); ++i)
       for (unsigned int c = 0; c < n_components; ++c)
         {

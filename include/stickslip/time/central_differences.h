@@ -78,8 +78,9 @@ namespace StickSlip
            const NodalVector &displacement,
            const NodalVector &velocity);
 
-    /** Accelerations of the jumps of owned nodes under friction, into @p a;
-     * returns the forces that friction balances, at the same entries. */
+    /** Set the accelerations of the jumps of owned nodes under friction in @p
+     * a, with those of all other nodes as if no jump changed; returns the
+     * forces that friction balances, at the same entries. */
     NodalVector
     accelerate_jumps(NodalVector       &a,
                      const NodalVector &force,
@@ -93,11 +94,12 @@ namespace StickSlip
     const LumpedMass<dim, n_components>          mass;
     std::unique_ptr<FaultFriction<n_components>> friction;
 
-    /** Entries of owned nodes that are fixed, and their velocities and the load
-     * where these are the same at all times; empty before and else. */
+    /** Entries of owned nodes that are fixed, and their velocities once these
+     * do not change any more; empty before. */
     std::vector<unsigned int> known_entries;
     std::vector<double>       steady_velocities;
-    NodalVector               steady_load;
+    /** The load when it was asked for last. */
+    NodalVector load;
   };
 } // namespace StickSlip
 

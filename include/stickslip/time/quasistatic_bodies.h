@@ -46,7 +46,7 @@ namespace StickSlip
       std::vector<double> free, prescribed, pressure;
     };
 
-    /** What drives the bodies at one moment: velocities that are known, in the
+    /** The drive of the bodies at one moment: velocities that are known, in the
      * jump basis and zero else, the slip rates among them, and the rates of
      * forces that go with these velocities and the loads alone. */
     struct Drive
