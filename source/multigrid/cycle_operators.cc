@@ -69,11 +69,16 @@ namespace StickSlip
                                description.fixed,
                                description.nonsmooth_nodes);
     };
-    // Cells that are long along one axis are no patches that smooth. On coarse
-    // levels lines may be what locking makes of square ones.
-    if (l + 1 == levels.size() && !level.stiff_volumes.empty() &&
-        !find_lines().empty())
-      level.stiff_volumes.clear();
+    // Cells that are long along one axis are no patches that smooth. On square
+    // ones, too, a few nodes of such bodies couple strongly.
+    if (l + 1 == levels.size() && !level.stiff_volumes.empty())
+      {
+        std::size_t n_in_lines = 0;
+        for (const NodeLine &line : find_lines())
+          n_in_lines += line.size();
+        if (2 * n_in_lines > sparsity.n_rows())
+          level.stiff_volumes.clear();
+      }
     const std::vector<NodePatch> patches =
       find_stiff_cells(sparsity, description.fixed, level.stiff_volumes);
     level.smoother =
