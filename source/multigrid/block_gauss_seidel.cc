@@ -30,22 +30,56 @@ namespace StickSlip
                 });
       return lines;
     }
+
+
+
+    /** The patches and all nodes that are in none of them, as patches of one
+     * node, in the order of their first nodes. */
+    std::vector<NodePatch>
+    with_nodes_alone(std::vector<NodePatch> patches, const unsigned int n_nodes)
+    {
+      std::vector<bool> is_in_patch(n_nodes, false);
+      for (const NodePatch &patch : patches)
+        for (const unsigned int i : patch)
+          is_in_patch[i] = true;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        if (!is_in_patch[i])
+          patches.push_back({i});
+      std::stable_sort(patches.begin(),
+                       patches.end(),
+                       [](const NodePatch &a, const NodePatch &b) {
+                         return a.front() < b.front();
+                       });
+      return patches;
+    }
   } // namespace
 
 
 
   template <int n_components, typename Number>
   BlockGaussSeidel<n_components, Number>::BlockGaussSeidel(
-    const BlockSparsity         &sparsity,
-    const std::vector<NodeLine> &lines)
+    const BlockSparsity          &sparsity,
+    const std::vector<NodeLine>  &lines,
+    const std::vector<NodePatch> &patches)
     : n_rows(sparsity.n_rows())
   {
+    AssertThrow(lines.empty() || patches.empty(),
+                ExcMessage("Lines and patches exclude each other."));
     if (!lines.empty())
       {
         factors =
           LineFactors<n_components, Number>(sparsity,
                                             with_single_nodes(lines, n_rows));
         remainder.resize(factors.longest() * n_components);
+      }
+    if (!patches.empty())
+      {
+        patch_factors =
+          PatchFactors<n_components, Number>(n_rows,
+                                             with_nodes_alone(patches, n_rows));
+        remainder.resize(patch_factors.largest() * n_components);
+        components.assign(n_rows, 0);
+        diagonal.resize(std::size_t(n_rows) * n_components * n_components);
       }
     lower.row_start.reserve(n_rows + 1);
     upper.row_start.reserve(n_rows + 1);
@@ -63,7 +97,7 @@ namespace StickSlip
       part->values.resize(std::size_t(part->column.size()) * n_components *
                             n_components +
                           Kernels::sweep_padding);
-    if (!has_lines())
+    if (!has_lines() && !has_patches())
       inverse_diagonal.resize(std::size_t(n_rows) * n_components *
                                 n_components +
                               Kernels::sweep_padding);
@@ -133,6 +167,8 @@ namespace StickSlip
           copy(next_lower, k);
         for (unsigned int k = sparsity.diagonal[i] + 1; k < end; ++k)
           copy(next_upper, k);
+        if (has_patches())
+          patch_factors.touch(i);
         return;
       }
     for (unsigned int k = begin; k < end; ++k)
@@ -156,6 +192,20 @@ namespace StickSlip
   {
     if (has_lines())
       factors.set_diagonal(i, block, active);
+    else if (has_patches())
+      {
+        components[i] = 0;
+        for (unsigned int c = 0; c < n_components; ++c)
+          {
+            if (active.is_active(i, c))
+              components[i] |= 1u << c;
+            for (unsigned int d = 0; d < n_components; ++d)
+              diagonal[std::size_t(i) * n_components * n_components +
+                       Kernels::sweep_position<n_components>(c, d)] =
+                block[c][d];
+          }
+        patch_factors.touch(i);
+      }
     else
       set_inverse_diagonal(i, invert_active(block, active, i));
   }
@@ -164,9 +214,60 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
-  BlockGaussSeidel<n_components, Number>::factorise_lines()
+  BlockGaussSeidel<n_components, Number>::factorise()
   {
     factors.factorise();
+    std::vector<double> entries;
+    for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
+      if (patch_factors.is_outdated(p))
+        {
+          copy_patch(p, entries);
+          patch_factors.set_patch(p, entries);
+        }
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::copy_patch(
+    const unsigned int   p,
+    std::vector<double> &entries) const
+  {
+    constexpr unsigned int block_size = n_components * n_components;
+    const unsigned int     n_nodes    = patch_factors.n_nodes(p);
+    const unsigned int     n          = n_nodes * n_components;
+    const unsigned int    *nodes      = patch_factors.nodes(p);
+    entries.resize(std::size_t(n) * n);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int b = 0; b <= a; ++b)
+        {
+          // Nodes are in ascending order, and all of them couple.
+          const unsigned int i = nodes[a], j = nodes[b];
+          const Number      *block;
+          if (a == b)
+            block = diagonal.data() + std::size_t(i) * block_size;
+          else
+            {
+              const auto begin = lower.column.begin();
+              const auto found = std::find(begin + lower.row_start[i],
+                                           begin + lower.row_start[i + 1],
+                                           j);
+              block =
+                lower.values.data() + std::size_t(found - begin) * block_size;
+            }
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
+              {
+                const unsigned int k = a * n_components + c,
+                                   m = b * n_components + d;
+                const double value =
+                  ((components[i] >> c) & (components[j] >> d) & 1u) ?
+                    block[Kernels::sweep_position<n_components>(c, d)] :
+                    0.;
+                entries[k * n + m] = entries[m * n + k] = value;
+              }
+        }
   }
 
 
@@ -192,6 +293,14 @@ namespace StickSlip
     NodeValues<Number>       &x,
     const NodeValues<Number> &b) const
   {
+    if (has_patches())
+      {
+        // Patches see each other's nodes before these have been relaxed.
+        x = Number(0.);
+        for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
+          relax_patch(p, b, x);
+        return;
+      }
     if (has_lines())
       {
         for (unsigned int l = 0; l < factors.n_lines(); ++l)
@@ -237,7 +346,10 @@ namespace StickSlip
   {
     update_ghosts(x);
     change = x;
-    if (has_lines())
+    if (has_patches())
+      for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
+        relax_patch(p, b, x);
+    else if (has_lines())
       for (unsigned int l = 0; l < factors.n_lines(); ++l)
         relax_line(l, b, x);
     else
@@ -274,7 +386,10 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    if (has_lines())
+    if (has_patches())
+      for (unsigned int p = patch_factors.n_patches(); p-- > 0;)
+        relax_patch(p, b, x);
+    else if (has_lines())
       for (unsigned int l = factors.n_lines(); l-- > 0;)
         relax_line(l, b, x);
     else
@@ -325,6 +440,90 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::remainder_with_diagonal(
+    const unsigned int       *rows,
+    const unsigned int        n,
+    const NodeValues<Number> &b,
+    const NodeValues<Number> &x,
+    Number                   *s) const
+  {
+    Kernels::remainder_beside<n_components>(
+      lower.rows(), upper.rows(), rows, n, b.begin(), x.begin(), s);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const std::size_t first = std::size_t(rows[k]) * n_components;
+        const Number     *D     = diagonal.data() + first * n_components;
+        const Number     *x_k   = x.begin() + first;
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            s[k * n_components + c] -=
+              D[Kernels::sweep_position<n_components>(c, d)] * x_k[d];
+      }
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::relax_patch(
+    const unsigned int        p,
+    const NodeValues<Number> &b,
+    NodeValues<Number>       &x) const
+  {
+    remainder_with_diagonal(
+      patch_factors.nodes(p), patch_factors.n_nodes(p), b, x, remainder.data());
+    patch_factors.add_solution(p, remainder.data(), x.begin());
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::residual_with_ghosts(
+    NodeValues<Number>       &r,
+    const NodeValues<Number> &x,
+    const NodeValues<Number> &b) const
+  {
+    for (unsigned int i = 0; i < n_rows; ++i)
+      remainder_with_diagonal(
+        &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::residual(
+    NodeValues<Number>       &r,
+    const NodeValues<Number> &x,
+    const NodeValues<Number> &b) const
+  {
+    update_ghosts(x);
+    residual_with_ghosts(r, x, b);
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::residual(
+    NodeValues<Number>       &r,
+    NodeValues<Number>       &x,
+    const NodeValues<Number> &change,
+    const NodeValues<Number> &b) const
+  {
+    // Ghosts of x and its change have been fetched in the sweep.
+    const unsigned int n_local =
+      x.locally_owned_size() + x.get_partitioner()->n_ghost_indices();
+    for (unsigned int i = x.locally_owned_size(); i < n_local; ++i)
+      x.begin()[i] += change.begin()[i];
+    residual_with_ghosts(r, x, b);
+  }
+
+
+
+  template <int n_components, typename Number>
   std::size_t
   BlockGaussSeidel<n_components, Number>::Part::memory_consumption() const
   {
@@ -339,8 +538,10 @@ namespace StickSlip
   BlockGaussSeidel<n_components, Number>::memory_consumption() const
   {
     return lower.memory_consumption() + upper.memory_consumption() +
-           sizeof(Number) * inverse_diagonal.capacity() +
-           factors.memory_consumption();
+           sizeof(Number) *
+             (inverse_diagonal.capacity() + diagonal.capacity()) +
+           factors.memory_consumption() + components.capacity() +
+           patch_factors.memory_consumption();
   }
 
 

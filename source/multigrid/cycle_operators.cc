@@ -21,7 +21,13 @@ namespace StickSlip
   {
     for (unsigned int l = 0; l < levels.size(); ++l)
       levels[l].active = descriptions[l].fixed;
-    levels.back().smoother = make_smoother(levels.size() - 1, terms);
+    if (levels.size() > 1)
+      levels.back().stiff_volumes =
+        find_stiff_volumes(terms.front().sparsity(),
+                           terms,
+                           descriptions.back().fixed,
+                           descriptions.back().nonsmooth_nodes);
+    set_up_level(levels.size() - 1, terms);
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
         if (l + 1 == levels.size())
@@ -31,8 +37,12 @@ namespace StickSlip
         Level &coarse = levels[l - 1];
         coarse.matrix = BlockMatrix<n_components, Number>(
           descriptions[l].to_coarser->coarse_sparsity());
+        coarse.stiff_volumes =
+          coarsen_stiff_volumes(levels[l].stiff_volumes,
+                                descriptions[l].to_coarser->prolongation(),
+                                coarse.matrix.n_rows());
         if (l > 1)
-          coarse.smoother = make_smoother(l - 1, coarse.terms);
+          set_up_level(l - 1, coarse.terms);
       }
     if (levels.size() == 1)
       levels.front().matrix =
@@ -45,18 +55,48 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   template <typename OtherNumber>
-  BlockGaussSeidel<n_components, Number>
-  CycleOperators<n_components, Number>::make_smoother(
+  void
+  CycleOperators<n_components, Number>::set_up_level(
     const unsigned int                                         l,
-    const std::vector<BlockMatrix<n_components, OtherNumber>> &terms) const
+    const std::vector<BlockMatrix<n_components, OtherNumber>> &terms)
   {
-    const BlockSparsity &sparsity = terms.front().sparsity();
-    return BlockGaussSeidel<n_components, Number>(
-      sparsity,
-      find_strong_lines(sparsity,
-                        terms,
-                        descriptions[l].fixed,
-                        descriptions[l].nonsmooth_nodes));
+    const LevelDescription<n_components> &description = descriptions[l];
+    const BlockSparsity                  &sparsity   = terms.front().sparsity();
+    Level                                &level      = levels[l];
+    const auto                            find_lines = [&]() {
+      return find_strong_lines(sparsity,
+                               terms,
+                               description.fixed,
+                               description.nonsmooth_nodes);
+    };
+    // Cells that are long along one axis are no patches that smooth. On square
+    // ones, too, a few nodes of such bodies couple strongly.
+    if (l + 1 == levels.size() && !level.stiff_volumes.empty())
+      {
+        std::size_t n_in_lines = 0;
+        for (const NodeLine &line : find_lines())
+          n_in_lines += line.size();
+        if (2 * n_in_lines > sparsity.n_rows())
+          level.stiff_volumes.clear();
+      }
+    const std::vector<NodePatch> patches =
+      find_stiff_cells(sparsity, description.fixed, level.stiff_volumes);
+    level.smoother =
+      BlockGaussSeidel<n_components, Number>(sparsity,
+                                             patches.empty() ?
+                                               find_lines() :
+                                               std::vector<NodeLine>(),
+                                             patches);
+    if (patches.empty())
+      return;
+    if (l > 0)
+      level.middles = MiddleNodes<n_components>(
+        description.to_coarser->prolongation(),
+        description.to_coarser->coarse_nodes().n_owned(),
+        terms,
+        level.stiff_volumes,
+        description.fixed,
+        description.nonsmooth_nodes);
   }
 
 
@@ -75,6 +115,10 @@ namespace StickSlip
         product.compute(term,
                         descriptions[l].fixed,
                         levels[l - 1].terms.back());
+        levels[l].middles.add_to_product(product.prolongation(),
+                                         term,
+                                         descriptions[l].fixed,
+                                         levels[l - 1].terms.back());
       }
   }
 
@@ -129,7 +173,7 @@ namespace StickSlip
     for (unsigned int i = 0; i < A.matrix().n_rows(); ++i)
       {
         finest.set_row(i, A.matrix());
-        if (finest.has_lines())
+        if (finest.has_lines() || finest.has_patches())
           finest.set_diagonal(i,
                               A.matrix().diagonal_block(i),
                               descriptions.back().fixed);
@@ -142,10 +186,10 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
-  CycleOperators<n_components, Number>::factorise_lines()
+  CycleOperators<n_components, Number>::factorise_smoothers()
   {
     for (Level &level : levels)
-      level.smoother.factorise_lines();
+      level.smoother.factorise();
   }
 
 
@@ -277,13 +321,21 @@ namespace StickSlip
         const NodeMask &active_here = is_finest ? active : levels[l].active;
         Level          &coarse      = levels[l - 1];
         GalerkinProduct<n_components> &product = *descriptions[l].to_coarser;
-        if (is_finest)
-          product.compute_rows(A, active_here, formed[l - 1], coarse.matrix);
-        else
-          product.compute_rows(levels[l].matrix,
+        const auto                     compute_rows = [&](const auto &matrix) {
+          product.compute_rows(matrix,
                                active_here,
                                formed[l - 1],
                                coarse.matrix);
+          levels[l].middles.add_to_rows(product.prolongation(),
+                                        matrix,
+                                        active_here,
+                                        formed[l - 1],
+                                        coarse.matrix);
+        };
+        if (is_finest)
+          compute_rows(A);
+        else
+          compute_rows(levels[l].matrix);
         for (const unsigned int i : formed[l - 1])
           coarse.formed[i] = true;
         coarse.active =
@@ -309,10 +361,14 @@ namespace StickSlip
       {
         // To agree on rows takes longer than to form them.
         product.compute_selected_rows(matrix, active, coarse.matrix);
+        levels[l].middles.add_to_rows(
+          product.prolongation(), matrix, active, coarse.strip, coarse.matrix);
         return coarse.strip;
       }
     std::vector<unsigned int> rows = product.rows_from(changed);
     product.compute_rows(matrix, active, rows, coarse.matrix);
+    levels[l].middles.add_to_rows(
+      product.prolongation(), matrix, active, rows, coarse.matrix);
     for (const unsigned int i : rows)
       coarse.formed[i] = true;
     return rows;
@@ -326,6 +382,15 @@ namespace StickSlip
   {
     Assert(l > 0, ExcMessage("The coarsest level is solved, not smoothed."));
     return levels[l].smoother;
+  }
+
+
+
+  template <int n_components, typename Number>
+  const MiddleNodes<n_components> &
+  CycleOperators<n_components, Number>::middle_nodes(const unsigned int l) const
+  {
+    return levels[l].middles;
   }
 
 
@@ -357,7 +422,9 @@ namespace StickSlip
     for (const Level &level : levels)
       {
         bytes += level.smoother.memory_consumption() +
-                 level.matrix.memory_consumption();
+                 level.matrix.memory_consumption() +
+                 level.middles.memory_consumption() +
+                 sizeof(unsigned int) * level.stiff_volumes.capacity();
         if (!level.terms.empty())
           bytes +=
             level.terms.size() * level.terms.front().memory_consumption() +

@@ -215,7 +215,7 @@ namespace StickSlip
       const double       inverse = 1. / scale;
       for (unsigned int i = 0; i < n; ++i)
         finest.rhs.local_element(i) = Number(b.local_element(i) * inverse);
-      operators.factorise_lines();
+      operators.factorise_smoothers();
       cycle(levels.size() - 1, active);
       for (unsigned int i = 0; i < n; ++i)
         x.local_element(i) = finest.solution.local_element(i) * scale;
@@ -241,7 +241,9 @@ namespace StickSlip
       const TransferMatrix &P = descriptions[l].to_coarser->prolongation();
 
       smoother.sweep_from_zero(level.solution, level.rhs);
-      if (sweeps == 1)
+      if (sweeps == 1 && smoother.has_patches())
+        smoother.residual(level.residual, level.solution, level.rhs);
+      else if (sweeps == 1)
         smoother.residual_after_first_sweep(level.residual, level.solution);
       else
         {
@@ -249,14 +251,23 @@ namespace StickSlip
             level.change = level.solution;
           for (unsigned int sweep = 1; sweep < sweeps; ++sweep)
             smoother.sweep_forward(level.solution, level.change, level.rhs);
-          smoother.residual_after_sweep(level.residual, level.change);
+          if (smoother.has_patches())
+            smoother.residual(level.residual,
+                              level.solution,
+                              level.change,
+                              level.rhs);
+          else
+            smoother.residual_after_sweep(level.residual, level.change);
         }
       active.apply(level.residual);
 
+      const MiddleNodes<n_components> &middles = operators.middle_nodes(l);
       P.restrict_to(coarse.rhs, level.residual, n_components);
+      middles.restrict_add(coarse.rhs, level.residual);
       active_below.apply(coarse.rhs);
       cycle(l - 1, active_below);
       P.prolongate_add(level.solution, coarse.solution, n_components);
+      middles.prolongate_add(level.solution, coarse.solution);
       active.apply(level.solution);
 
       for (unsigned int sweep = 0; sweep < sweeps; ++sweep)

@@ -8,6 +8,7 @@
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/sweep_kernels.h>
 #include <stickslip/multigrid/line_factors.h>
+#include <stickslip/multigrid/patch_factors.h>
 
 namespace StickSlip
 {
@@ -21,6 +22,10 @@ namespace StickSlip
    * of a line are relaxed at once, and "below the diagonal" are couplings to
    * nodes and lines that come earlier; without lines nothing of this is there.
    *
+   * If there are patches (volume_cells.h), which may overlap, there are no
+   * lines. A sweep takes patch after patch, and the residual after it is a
+   * passage through the matrix of its own.
+   *
    * On several processes each acts on its own nodes, with the values of the
    * others as they were before the sweep.
    */
@@ -30,20 +35,28 @@ namespace StickSlip
   public:
     BlockGaussSeidel() = default;
 
-    explicit BlockGaussSeidel(const BlockSparsity         &sparsity,
-                              const std::vector<NodeLine> &lines = {});
+    /** Nodes that are in none of the @p lines or @p patches, of which one are
+     * empty, are relaxed alone. */
+    explicit BlockGaussSeidel(const BlockSparsity          &sparsity,
+                              const std::vector<NodeLine>  &lines   = {},
+                              const std::vector<NodePatch> &patches = {});
 
-    /** Return if there are lines; then set_diagonal() is what sets diagonal
-     * blocks, not set_inverse_diagonal(). */
     bool
     has_lines() const
     {
       return factors.n_lines() > 0;
     }
 
-    /** Factorise the lines that have changed, before the next sweep. */
+    bool
+    has_patches() const
+    {
+      return patch_factors.n_patches() > 0;
+    }
+
+    /** Factorise the lines and patches that have changed, before the next
+     * sweep. */
     void
-    factorise_lines();
+    factorise();
 
     /** Take over the blocks of a row off the diagonal. */
     template <typename OtherNumber>
@@ -58,7 +71,8 @@ namespace StickSlip
                  const Tensor<2, n_components> &block,
                  const NodeMask                &active);
 
-    /** Set it by the inverse of its active part. */
+    /** Set it by the inverse of its active part; neither with lines nor with
+     * patches. */
     void
     set_inverse_diagonal(const unsigned int             i,
                          const Tensor<2, n_components> &inverse);
@@ -84,6 +98,20 @@ namespace StickSlip
     void
     residual_after_sweep(NodeValues<Number>       &r,
                          const NodeValues<Number> &change) const;
+
+    /** With patches, r = b - A x in the place of residual_after_first_sweep(),
+     * which fetches the ghosts of x like that; and in the place of
+     * residual_after_sweep(), where x has the ghosts from before the sweep. */
+    void
+    residual(NodeValues<Number>       &r,
+             const NodeValues<Number> &x,
+             const NodeValues<Number> &b) const;
+
+    void
+    residual(NodeValues<Number>       &r,
+             NodeValues<Number>       &x,
+             const NodeValues<Number> &change,
+             const NodeValues<Number> &b) const;
 
     /** A backward sweep; fetches the ghosts of x. */
     void
@@ -125,12 +153,44 @@ namespace StickSlip
     void
     solve_line(const unsigned int l, NodeValues<Number> &x) const;
 
+    /** Relax a patch with the values of all others as they are. */
+    void
+    relax_patch(const unsigned int        p,
+                const NodeValues<Number> &b,
+                NodeValues<Number>       &x) const;
+
+    /** Write (b - A x)_i for @p n rows one after the other to @p s, of whose
+     * products only that with the diagonal block is not in a part. */
+    void
+    remainder_with_diagonal(const unsigned int       *rows,
+                            const unsigned int        n,
+                            const NodeValues<Number> &b,
+                            const NodeValues<Number> &x,
+                            Number                   *s) const;
+
+    /** r = b - A x with the ghosts that x has. */
+    void
+    residual_with_ghosts(NodeValues<Number>       &r,
+                         const NodeValues<Number> &x,
+                         const NodeValues<Number> &b) const;
+
+    /** The part of the matrix that belongs to a patch, row by row, zero where
+     * components take no part. */
+    void
+    copy_patch(const unsigned int p, std::vector<double> &entries) const;
+
     unsigned int          n_rows = 0;
     Part                  lower, upper;
     AlignedVector<Number> inverse_diagonal;
     /** With lines, those of one node among them, in the order of the sweep. */
     LineFactors<n_components, Number> factors;
-    /** The right hand side of a line. */
+    /** With patches, those of one node among them, in the order of the sweep,
+     * also the diagonal blocks and the bits of the components that take part.
+     */
+    PatchFactors<n_components, Number> patch_factors;
+    AlignedVector<Number>              diagonal;
+    std::vector<std::uint8_t>          components;
+    /** The right hand side of a line or a patch. */
     mutable std::vector<Number> remainder;
   };
 

@@ -6,6 +6,7 @@
 
 #include <stickslip/multigrid/block_gauss_seidel.h>
 #include <stickslip/multigrid/level_description.h>
+#include <stickslip/multigrid/middle_nodes.h>
 
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace StickSlip
    * products, formed anew where truncation and the nonsmooth term change them,
    * and all in the form of the smoother, the finest one as a copy. See VCycle,
    * whose functions of the same names these serve.
+   *
+   * Where bodies are nearly incompressible, the smoothers relax cells, and
+   * transfers move the nodes in the middle of coarse cells.
    */
   template <int n_components, typename Number>
   class CycleOperators
@@ -40,9 +44,9 @@ namespace StickSlip
                       const NodeMask                  &active,
                       const std::vector<unsigned int> &changed);
 
-    /** Factorise the lines that have changed, before a cycle. */
+    /** Factorise the lines and patches that have changed, before a cycle. */
     void
-    factorise_lines();
+    factorise_smoothers();
 
     std::vector<std::vector<unsigned int>>
     formed_rows() const;
@@ -55,6 +59,11 @@ namespace StickSlip
     /** The smoother of any level but the coarsest. */
     const BlockGaussSeidel<n_components, Number> &
     smoother(const unsigned int l) const;
+
+    /** The part of the transfer to the level below @p l that is not one number
+     * for each pair of nodes. */
+    const MiddleNodes<n_components> &
+    middle_nodes(const unsigned int l) const;
 
     /** The operator on a coarse level. */
     const BlockMatrix<n_components, Number> &
@@ -72,6 +81,9 @@ namespace StickSlip
     struct Level
     {
       BlockGaussSeidel<n_components, Number> smoother;
+      StiffVolumes                           stiff_volumes;
+      /** Of the transfer to the next coarser level. */
+      MiddleNodes<n_components> middles;
 
       /** Terms, and all that follows, of coarse levels only. */
       std::vector<BlockMatrix<n_components, Number>> terms;
@@ -84,12 +96,13 @@ namespace StickSlip
       NodeMask          active;
     };
 
-    /** The smoother of level @p l, with the lines that its @p terms have. */
+    /** Set the smoother of level @p l, with the lines or patches that its @p
+     * terms and stiff volumes have, and its middle nodes. */
     template <typename OtherNumber>
-    BlockGaussSeidel<n_components, Number>
-    make_smoother(
+    void
+    set_up_level(
       const unsigned int                                         l,
-      const std::vector<BlockMatrix<n_components, OtherNumber>> &terms) const;
+      const std::vector<BlockMatrix<n_components, OtherNumber>> &terms);
 
     /** The terms on the level below @p l. */
     template <typename FineNumber>
