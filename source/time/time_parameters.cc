@@ -41,8 +41,8 @@ namespace StickSlip
       "Tolerance",
       tolerance,
       NumberRange().above(0),
-      "Error allowed on the faults in a step under the embedded control and "
-      "in Runge-Kutta steps, without unit: the root of the mean square over "
+      "Error allowed on the faults in a step under the embedded control, with "
+      "central differences and in Runge-Kutta steps, without unit: the root of the mean square over "
       "a fault of the error of the logarithm of the state and, at each node, "
       "of the smaller one of two: the error of the friction coefficient over "
       "the larger one of a and b, times the normal stress over its mean; or "
@@ -57,7 +57,7 @@ namespace StickSlip
       body_tolerance,
       NumberRange().above(0),
       "Error of the velocity of the bodies allowed in a step under the "
-      "embedded control, without unit: its mean, weighted by the mass and by "
+      "embedded control and with central differences, without unit: its mean, weighted by the mass and by "
       "itself, times the impedance of shear waves, over the larger one of a "
       "and b times the normal stress (of the fault where these are least): "
       "what the error of waves brings to the faults. Used only with "
