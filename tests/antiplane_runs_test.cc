@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "antiplane_scenes.h"
+#include "column_scenes.h"
 #include "error_message.h"
-#include "wave_column.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -21,20 +21,8 @@ namespace
   double
   error_of_column(const unsigned int n_cells)
   {
-    WaveColumn column;
-    column.shear_modulus   = 4.12e7 / 2.6;
-    column.density         = 5e3;
-    column.height          = 0.5;
-    column.is_arcsinh      = true;
-    column.a               = 0.02;
-    column.b               = 0.01;
-    column.mu0             = 0.;
-    column.V0              = 1e-3;
-    column.L               = 1e-3;
-    column.normal_stress   = 2e4;
-    column.velocity_of_top = [](const double t) {
-      return 1e-2 * (1. - std::cos(numbers::PI * std::min(t, 0.1) / 0.1)) / 2.;
-    };
+    WaveColumn column = strengthening_column(0.1);
+    column.height     = 0.5;
     column.run(0.3, 0.);
 
     const std::string cells = "1, " + std::to_string(n_cells);

@@ -9,27 +9,13 @@
 #include "linear_iterations.h"
 #include "opening_layers.h"
 #include "pressed_sphere.h"
+#include "random_vectors.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
 
 namespace
 {
-  template <int dim>
-  NodalVector
-  random_vector(const LevelDescription<dim> &level, const NodeMask &active)
-  {
-    std::mt19937                     engine(11);
-    std::normal_distribution<double> normal;
-    NodalVector                      x = level.nodes.make_vector();
-    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
-      x.local_element(i) = normal(engine);
-    active.apply(x);
-    return x;
-  }
-
-
-
   /** Each normal jump is at its bound with this probability. */
   template <int dim>
   NodeMask

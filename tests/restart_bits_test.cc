@@ -36,6 +36,28 @@ namespace
 
 
 
+  /** A simulation that is written to files and one that never is, both at 1 s
+   * after more than two contact mappings. */
+  struct KeptAndNeverWritten
+  {
+    Simulation<2> kept, never_written;
+
+    explicit KeptAndNeverWritten(const SceneParameters<2> &scene)
+      : kept(scene, MPI_COMM_WORLD)
+      , never_written(scene, MPI_COMM_WORLD)
+    {
+      for (Simulation<2> *simulation : {&kept, &never_written})
+        {
+          simulation->set_up();
+          while (simulation->state().time < 1.)
+            simulation->advance();
+        }
+      EXPECT_GT(kept.counts().contact_mappings, 2u);
+    }
+  };
+
+
+
   /** Write the state of a simulation, and expect that another one goes on from
    * there with the same bits for a number of advances, and the simulation
    * itself with those of one that was never written. Returns the largest
@@ -104,18 +126,10 @@ TEST(Resume, GoesOnWithTheSameBitsAfterTheContactHasChanged)
     {
       SCOPED_TRACE(more.empty() ? "as it is" : more.back());
       const SceneParameters<2> scene = fast_sliding_scene(more);
-      Simulation<2>            kept(scene, MPI_COMM_WORLD);
-      Simulation<2>            never_written(scene, MPI_COMM_WORLD);
-      for (Simulation<2> *simulation : {&kept, &never_written})
-        {
-          simulation->set_up();
-          while (simulation->state().time < 1.)
-            simulation->advance();
-        }
-      const unsigned int n_mappings = kept.counts().contact_mappings;
-      EXPECT_GT(n_mappings, 2u);
-      expect_same_bits(scene, never_written, kept, 15);
-      EXPECT_GT(kept.counts().contact_mappings, n_mappings);
+      KeptAndNeverWritten      runs(scene);
+      const unsigned int       n_mappings = runs.kept.counts().contact_mappings;
+      expect_same_bits(scene, runs.never_written, runs.kept, 15);
+      EXPECT_GT(runs.kept.counts().contact_mappings, n_mappings);
     }
 }
 
@@ -135,16 +149,8 @@ TEST(Resume, ExplicitStepsGoOnWithTheSameBits)
                             "Time/Inertia=quasi-dynamic",
                             "Time/Step size control=Runge-Kutta",
                             "Output/Energy balance=" + energy});
-      Simulation<2> kept(scene, MPI_COMM_WORLD),
-        never_written(scene, MPI_COMM_WORLD);
-      for (Simulation<2> *simulation : {&kept, &never_written})
-        {
-          simulation->set_up();
-          while (simulation->state().time < 1.)
-            simulation->advance();
-        }
-      EXPECT_GT(kept.counts().contact_mappings, 2u);
-      expect_same_bits(scene, never_written, kept, 60);
+      KeptAndNeverWritten runs(scene);
+      expect_same_bits(scene, runs.never_written, runs.kept, 60);
     }
 }
 
@@ -154,16 +160,8 @@ TEST(Resume, CentralDifferencesGoOnWithTheSameBits)
 {
   const SceneParameters<2> scene =
     fast_sliding_scene({"Time/Step size control=central differences"});
-  Simulation<2> kept(scene, MPI_COMM_WORLD),
-    never_written(scene, MPI_COMM_WORLD);
-  for (Simulation<2> *simulation : {&kept, &never_written})
-    {
-      simulation->set_up();
-      while (simulation->state().time < 1.)
-        simulation->advance();
-    }
-  EXPECT_GT(kept.counts().contact_mappings, 2u);
-  expect_same_bits(scene, never_written, kept, 200);
+  KeptAndNeverWritten runs(scene);
+  expect_same_bits(scene, runs.never_written, runs.kept, 200);
 }
 
 

@@ -12,30 +12,13 @@
 #include "bent_block.h"
 #include "coulomb_functional.h"
 #include "linear_iterations.h"
+#include "random_vectors.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
 
 namespace
 {
-  /** Random entries that depend on the seed, zero in masked components. */
-  template <int dim>
-  NodalVector
-  random_vector(const LevelDescription<dim> &level,
-                const NodeMask              &active,
-                const unsigned int           seed)
-  {
-    std::mt19937                     engine(seed);
-    std::normal_distribution<double> normal;
-    NodalVector                      x = level.nodes.make_vector();
-    for (double &value : x)
-      value = normal(engine);
-    active.apply(x);
-    return x;
-  }
-
-
-
   template <int dim>
   double
   relative_difference(NodalVector x, const NodalVector &y)
@@ -244,13 +227,7 @@ TEST(Frames, CycleIsSymmetric)
       hierarchy.linearise(std::vector<Tensor<2, 2>>(
                             hierarchy.finest().nonsmooth_nodes.size()),
                           active);
-      const NodalVector x  = random_vector(hierarchy.finest(), active, 1);
-      const NodalVector y  = random_vector(hierarchy.finest(), active, 2);
-      NodalVector       Vx = x, Vy = y;
-      hierarchy.v_cycle(Vx, x);
-      hierarchy.v_cycle(Vy, y);
-      EXPECT_NEAR(x * Vy, y * Vx, 1e-13 * x.l2_norm() * Vy.l2_norm());
-      EXPECT_GT(x * Vx, 0.);
+      expect_symmetric_cycle(hierarchy, active, 1e-13);
     }
 }
 

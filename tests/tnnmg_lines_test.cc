@@ -12,6 +12,7 @@
 
 #include "layered_slider.h"
 #include "linear_iterations.h"
+#include "random_vectors.h"
 #include "stuck_faults.h"
 
 using namespace StickSlip;
@@ -24,22 +25,6 @@ namespace
   tall_cells(const unsigned int aspect)
   {
     return {{10 * aspect, 2}};
-  }
-
-
-
-  NodalVector
-  random_vector(const LevelDescription<2> &level,
-                const NodeMask            &active,
-                const unsigned int         seed)
-  {
-    std::mt19937                     engine(seed);
-    std::normal_distribution<double> normal;
-    NodalVector                      x = level.nodes.make_vector();
-    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
-      x.local_element(i) = normal(engine);
-    active.apply(x);
-    return x;
   }
 
 
@@ -240,14 +225,7 @@ TEST(TNNMGLines, MakeSymmetricCycles)
   for (const unsigned int sweeps : {1, 2})
     {
       hierarchy.set_smoothing_sweeps(sweeps);
-      const NodeMask    active = truncate(hierarchy, 0.5);
-      const NodalVector x      = random_vector(hierarchy.finest(), active, 1),
-                        y      = random_vector(hierarchy.finest(), active, 2);
-      NodalVector Vx = x, Vy = y;
-      hierarchy.v_cycle(Vx, x);
-      hierarchy.v_cycle(Vy, y);
-      EXPECT_NEAR(Vx * y, x * Vy, 1e-9 * std::abs(Vx * x));
-      EXPECT_GT(Vx * x, 0.);
+      expect_symmetric_cycle(hierarchy, truncate(hierarchy, 0.5), 1e-12);
     }
 }
 

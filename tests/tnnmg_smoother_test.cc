@@ -161,13 +161,13 @@ namespace
     ours_x = Number(7.);
     smoother.sweep_from_zero(ours_x, ours_b);
     expect_equal(ours_x, x);
-    smoother.residual_after_first_sweep(residual, ours_x);
+    smoother.residual_after_first_sweep(residual, ours_x, ours_b);
     expect_residual();
 
     system.sweep(x, b, true);
     smoother.sweep_forward(ours_x, change, ours_b);
     expect_equal(ours_x, x);
-    smoother.residual_after_sweep(residual, change);
+    smoother.residual_after_sweep(residual, ours_x, change, ours_b);
     expect_residual();
 
     x = system.random();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/numbers.h>
-
 #include <gtest/gtest.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/problem/shear_traction.h>
@@ -10,69 +8,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "endless_layers.h"
+#include "column_scenes.h"
 #include "slip_rate_series.h"
 #include "stepping_scene.h"
-#include "wave_column.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
 
 namespace
 {
-  constexpr double loading_rate = 2e-4, ramp = 1.;
-
-
-
-  /** The spring slider without ends and without viscosity. */
-  WaveColumn
-  spring_slider()
-  {
-    WaveColumn column;
-    column.shear_modulus   = 4.12e7 / 2.6;
-    column.density         = 5e3;
-    column.height          = 1.;
-    column.a               = 0.010;
-    column.b               = 0.015;
-    column.mu0             = 0.6;
-    column.V0              = 1e-6;
-    column.L               = 2e-5;
-    column.normal_stress   = 5e3 * 9.81;
-    column.velocity_of_top = [](const double t) {
-      return t >= ramp ?
-               loading_rate :
-               loading_rate * (1. - std::cos(numbers::PI * t / ramp)) / 2.;
-    };
-    return column;
-  }
-
-
-
-  /** Scene of a column, one cell wide. */
-  std::string
-  scene_of(const WaveColumn &column, const unsigned int n_cells)
-  {
-    EndlessLayers layers;
-    for (Material &material : layers.material)
-      {
-        material.poissons_ratio  = 0.3;
-        material.youngs_modulus  = 2.6 * column.shear_modulus;
-        material.density         = column.density;
-        material.shear_viscosity = material.bulk_viscosity = 0.;
-      }
-    layers.thickness.fill(column.height);
-    layers.coarse_cells.fill({{1, n_cells}});
-    layers.length                       = column.height / n_cells;
-    layers.friction.a                   = column.a;
-    layers.friction.b                   = column.b;
-    layers.friction.reference_friction  = column.mu0;
-    layers.friction.reference_slip_rate = column.V0;
-    layers.friction.characteristic_slip = column.L;
-    layers.normal_stress                = column.normal_stress;
-    layers.velocity                     = loading_rate;
-    layers.ramp_length                  = ramp;
-    return layers.text();
-  }
+  constexpr double loading_rate = slider_loading_rate;
 
 
 
@@ -93,24 +38,6 @@ namespace
         series.slip_rate.push_back(std::abs(scene.state.slip_rate[0][0]));
       }
     return series;
-  }
-
-  /** Slides smoothly and ever faster as the pull sets in. */
-  WaveColumn
-  strengthening_column()
-  {
-    WaveColumn column      = spring_slider();
-    column.is_arcsinh      = true;
-    column.a               = 0.02;
-    column.b               = 0.01;
-    column.mu0             = 0.;
-    column.V0              = 1e-3;
-    column.L               = 1e-3;
-    column.normal_stress   = 2e4;
-    column.velocity_of_top = [](const double t) {
-      return 1e-2 * (1. - std::cos(numbers::PI * std::min(t, 1.))) / 2.;
-    };
-    return column;
   }
 
 
@@ -246,7 +173,6 @@ TEST(Column, SecondOrderInMeshAndStep)
   const auto error = [&](const unsigned int i, const std::string &update) {
     SteppingScene scene(scene_of(column, 8u << i),
                         {"Faults/fault/Regularisation=arcsinh",
-                         "Boundary conditions/upper top/x value=1e-2",
                          "TNNMG/Tolerance=1e-12",
                          "Time/Rate-state tolerance=1e-12",
                          "Time/Step size control=constant",

@@ -250,7 +250,7 @@ namespace
           shortest(repetitions,
                    [&]() {
                      smoother.sweep_from_zero(x, b);
-                     smoother.residual_after_first_sweep(r, x);
+                     smoother.residual_after_first_sweep(r, x, b);
                    }),
           cost.sweep() + 3 * cost.number_bytes,
           number);

@@ -10,47 +10,26 @@ namespace StickSlip
 {
   namespace
   {
-    /** The lines and all other nodes, as lines of one node, in the order of
-     * their first nodes. */
-    std::vector<NodeLine>
-    with_single_nodes(std::vector<NodeLine> lines, const unsigned int n_nodes)
+    /** The lines or patches @p groups and all nodes that are in none of them,
+     * as groups of one node, in the order of their first nodes. */
+    std::vector<std::vector<unsigned int>>
+    with_single_nodes(std::vector<std::vector<unsigned int>> groups,
+                      const unsigned int                     n_nodes)
     {
-      std::vector<bool> is_in_line(n_nodes, false);
-      for (const NodeLine &line : lines)
-        for (const unsigned int i : line)
-          is_in_line[i] = true;
+      std::vector<bool> is_in_group(n_nodes, false);
+      for (const std::vector<unsigned int> &group : groups)
+        for (const unsigned int i : group)
+          is_in_group[i] = true;
       for (unsigned int i = 0; i < n_nodes; ++i)
-        if (!is_in_line[i])
-          lines.push_back({i});
-      std::sort(lines.begin(),
-                lines.end(),
-                [](const NodeLine &a, const NodeLine &b) {
-                  return *std::min_element(a.begin(), a.end()) <
-                         *std::min_element(b.begin(), b.end());
-                });
-      return lines;
-    }
-
-
-
-    /** The patches and all nodes that are in none of them, as patches of one
-     * node, in the order of their first nodes. */
-    std::vector<NodePatch>
-    with_nodes_alone(std::vector<NodePatch> patches, const unsigned int n_nodes)
-    {
-      std::vector<bool> is_in_patch(n_nodes, false);
-      for (const NodePatch &patch : patches)
-        for (const unsigned int i : patch)
-          is_in_patch[i] = true;
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        if (!is_in_patch[i])
-          patches.push_back({i});
-      std::stable_sort(patches.begin(),
-                       patches.end(),
-                       [](const NodePatch &a, const NodePatch &b) {
-                         return a.front() < b.front();
+        if (!is_in_group[i])
+          groups.push_back({i});
+      std::stable_sort(groups.begin(),
+                       groups.end(),
+                       [](const auto &a, const auto &b) {
+                         return *std::min_element(a.begin(), a.end()) <
+                                *std::min_element(b.begin(), b.end());
                        });
-      return patches;
+      return groups;
     }
   } // namespace
 
@@ -74,9 +53,8 @@ namespace StickSlip
       }
     if (!patches.empty())
       {
-        patch_factors =
-          PatchFactors<n_components, Number>(n_rows,
-                                             with_nodes_alone(patches, n_rows));
+        patch_factors = PatchFactors<n_components, Number>(
+          n_rows, with_single_nodes(patches, n_rows));
         remainder.resize(patch_factors.largest() * n_components);
         components.assign(n_rows, 0);
         diagonal.resize(std::size_t(n_rows) * n_components * n_components);
@@ -326,13 +304,17 @@ namespace StickSlip
   void
   BlockGaussSeidel<n_components, Number>::residual_after_first_sweep(
     NodeValues<Number>       &r,
-    const NodeValues<Number> &x) const
+    const NodeValues<Number> &x,
+    const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    Kernels::residual_after_sweep<n_components>(upper.rows(),
-                                                n_rows,
-                                                x.begin(),
-                                                r.begin());
+    if (has_patches())
+      residual_with_ghosts(r, x, b);
+    else
+      Kernels::residual_after_sweep<n_components>(upper.rows(),
+                                                  n_rows,
+                                                  x.begin(),
+                                                  r.begin());
   }
 
 
@@ -369,12 +351,24 @@ namespace StickSlip
   void
   BlockGaussSeidel<n_components, Number>::residual_after_sweep(
     NodeValues<Number>       &r,
-    const NodeValues<Number> &change) const
+    NodeValues<Number>       &x,
+    const NodeValues<Number> &change,
+    const NodeValues<Number> &b) const
   {
-    Kernels::residual_after_sweep<n_components>(upper.rows(),
-                                                n_rows,
-                                                change.begin(),
-                                                r.begin());
+    if (!has_patches())
+      {
+        Kernels::residual_after_sweep<n_components>(upper.rows(),
+                                                    n_rows,
+                                                    change.begin(),
+                                                    r.begin());
+        return;
+      }
+    // Ghosts of x and its change have been fetched in the sweep.
+    const unsigned int n_local =
+      x.locally_owned_size() + x.get_partitioner()->n_ghost_indices();
+    for (unsigned int i = x.locally_owned_size(); i < n_local; ++i)
+      x.begin()[i] += change.begin()[i];
+    residual_with_ghosts(r, x, b);
   }
 
 
@@ -488,37 +482,6 @@ namespace StickSlip
     for (unsigned int i = 0; i < n_rows; ++i)
       remainder_with_diagonal(
         &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::residual(
-    NodeValues<Number>       &r,
-    const NodeValues<Number> &x,
-    const NodeValues<Number> &b) const
-  {
-    update_ghosts(x);
-    residual_with_ghosts(r, x, b);
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::residual(
-    NodeValues<Number>       &r,
-    NodeValues<Number>       &x,
-    const NodeValues<Number> &change,
-    const NodeValues<Number> &b) const
-  {
-    // Ghosts of x and its change have been fetched in the sweep.
-    const unsigned int n_local =
-      x.locally_owned_size() + x.get_partitioner()->n_ghost_indices();
-    for (unsigned int i = x.locally_owned_size(); i < n_local; ++i)
-      x.begin()[i] += change.begin()[i];
-    residual_with_ghosts(r, x, b);
   }
 
 

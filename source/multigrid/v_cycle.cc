@@ -241,23 +241,20 @@ namespace StickSlip
       const TransferMatrix &P = descriptions[l].to_coarser->prolongation();
 
       smoother.sweep_from_zero(level.solution, level.rhs);
-      if (sweeps == 1 && smoother.has_patches())
-        smoother.residual(level.residual, level.solution, level.rhs);
-      else if (sweeps == 1)
-        smoother.residual_after_first_sweep(level.residual, level.solution);
+      if (sweeps == 1)
+        smoother.residual_after_first_sweep(level.residual,
+                                            level.solution,
+                                            level.rhs);
       else
         {
           if (level.change.size() == 0)
             level.change = level.solution;
           for (unsigned int sweep = 1; sweep < sweeps; ++sweep)
             smoother.sweep_forward(level.solution, level.change, level.rhs);
-          if (smoother.has_patches())
-            smoother.residual(level.residual,
-                              level.solution,
-                              level.change,
-                              level.rhs);
-          else
-            smoother.residual_after_sweep(level.residual, level.change);
+          smoother.residual_after_sweep(level.residual,
+                                        level.solution,
+                                        level.change,
+                                        level.rhs);
         }
       active.apply(level.residual);
 

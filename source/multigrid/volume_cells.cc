@@ -3,6 +3,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/multigrid/volume_cells.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace StickSlip
 {
@@ -41,57 +43,40 @@ namespace StickSlip
       double trace = 0.;
       for (unsigned int i = 0; i < n; ++i)
         trace += A[i * n + i];
-      // The Cholesky factor L.
-      for (unsigned int j = 0; j < n; ++j)
+      try
         {
-          for (unsigned int m = 0; m < j; ++m)
-            A[j * n + j] -= A[j * n + m] * A[j * n + m];
-          if (!(A[j * n + j] > 1e-12 * trace))
-            return std::numeric_limits<double>::infinity();
-          A[j * n + j] = std::sqrt(A[j * n + j]);
-          for (unsigned int i = j + 1; i < n; ++i)
-            {
-              for (unsigned int m = 0; m < j; ++m)
-                A[i * n + j] -= A[i * n + m] * A[j * n + m];
-              A[i * n + j] /= A[j * n + j];
-            }
+          factorise_symmetric(A, n, "the matrix of a cell");
         }
-      std::vector<double> x(n);
+      catch (const SingularMatrix &)
+        {
+          return std::numeric_limits<double>::infinity();
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        if (!(A[i * n + i] * A[i * n + i] > 1e-12 * trace))
+          return std::numeric_limits<double>::infinity();
+      const auto dot = [](const std::vector<double> &x,
+                          const std::vector<double> &y) {
+        return std::inner_product(x.begin(), x.end(), y.begin(), 0.);
+      };
+      std::vector<double> x(n), before;
       for (unsigned int i = 0; i < n; ++i)
         x[i] = 1. + 0.7 * std::sin(2.3 * i + 0.4 * i * i);
       double result = 0.;
       for (unsigned int step = 0; step < 5; ++step)
         {
-          double norm = 0.;
-          for (const double value : x)
-            norm += value * value;
-          norm = std::sqrt(norm);
+          const double norm = std::sqrt(dot(x, x));
           for (double &value : x)
             value /= norm;
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              for (unsigned int m = 0; m < i; ++m)
-                x[i] -= A[i * n + m] * x[m];
-              x[i] /= A[i * n + i];
-            }
-          // With y = L^-1 x the quotient of x^T A^-1 x = y^T y.
-          double square = 0.;
-          for (const double value : x)
-            square += value * value;
-          result = 1. / square;
-          for (unsigned int i = n; i-- > 0;)
-            {
-              for (unsigned int m = i + 1; m < n; ++m)
-                x[i] -= A[m * n + i] * x[m];
-              x[i] /= A[i * n + i];
-            }
+          before = x;
+          solve_factorised(A, x);
+          result = 1. / dot(before, x);
         }
       return result;
     }
 
 
 
-    /** The ratio of find_volume_cells() for the nodes of a cell. */
+    /** The ratio of find_stiff_volumes() for the nodes of a cell. */
     template <int n_components, typename Number>
     double
     volume_ratio(const BlockMatrix<n_components, Number> &matrix,

@@ -5,6 +5,7 @@
 #include <stickslip/base/magnitude.h>
 #include <stickslip/friction/common_parameters.h>
 #include <stickslip/problem/initial_equilibrium.h>
+#include <stickslip/problem/known_velocities.h>
 #include <stickslip/simulation/initial_motion.h>
 
 #include <algorithm>
@@ -93,11 +94,7 @@ namespace StickSlip
                     const FaultNodes<dim>             &faults,
                     const SystemState<dim>            &state)
     {
-      NodalVector w     = problem.make_vector(),
-                  nodal = problem.make_nodal_vector();
-      problem.boundary_values().set_velocities(state.time, nodal);
-      problem.to_jumps(w, nodal);
-      problem.set_known_jumps(state.time, w);
+      NodalVector w = known_velocities(problem, state.time);
       for (const unsigned int k : faults.owned_contact())
         for (unsigned int d = 0; d < dim - 1; ++d)
           w.local_element(faults.node(k) * n_components + d) =

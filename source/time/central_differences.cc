@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/base/magnitude.h>
+#include <stickslip/problem/known_velocities.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/central_differences.h>
 
@@ -25,36 +26,20 @@ namespace StickSlip
                                                       laws,
                                                       std::vector<double>(
                                                         faults.size())))
-  {
-    const Unknowns &unknowns = problem.operators().unknowns();
-    for (unsigned int i = 0; i < unknowns.nodes.n_owned(); ++i)
-      for (unsigned int c = 0; c < n_components; ++c)
-        if (!unknowns.fixed.is_active(i, c))
-          known_entries.push_back(i * n_components + c);
-  }
+    , known_entries(fixed_entries(problem.operators().unknowns()))
+  {}
 
 
 
   template <int dim, int n_components>
-  std::vector<double>
-  CentralDifferences<dim, n_components>::known_velocities(const double time)
+  void
+  CentralDifferences<dim, n_components>::update_known_velocity(
+    const double time)
   {
-    const bool is_steady =
-      problem.boundary_values().velocities_become_constant() &&
-      time >= problem.longest_ramp();
-    if (is_steady && !steady_velocities.empty())
-      return steady_velocities;
-    NodalVector nodal = problem.make_nodal_vector(), w = problem.make_vector();
-    problem.boundary_values().set_velocities(time, nodal);
-    problem.to_jumps(w, nodal);
-    problem.set_known_jumps(time, w);
-    std::vector<double> result;
-    result.reserve(known_entries.size());
-    for (const unsigned int entry : known_entries)
-      result.push_back(w.local_element(entry));
-    if (is_steady)
-      steady_velocities = result;
-    return result;
+    if (is_known_steady)
+      return;
+    known_velocity  = known_velocities(problem, time);
+    is_known_steady = velocities_stay(problem, time);
   }
 
 
@@ -88,8 +73,6 @@ namespace StickSlip
     const NodalVector &velocity,
     const double       tau) const
   {
-    constexpr unsigned int n_tangential =
-      n_components == dim ? dim - 1 : n_components;
     const NodeMask    &fixed    = problem.operators().unknowns().fixed;
     NodalVector        balanced = problem.make_vector();
     const unsigned int n        = faults.owned_contact().size();
@@ -101,7 +84,7 @@ namespace StickSlip
         const Tensor<1, n_components>  acting = f;
         Tensor<2, n_components>        A;
         std::array<bool, n_components> takes_part = {};
-        for (unsigned int d = 0; d < n_tangential; ++d)
+        for (unsigned int d = 0; d < dim - 1; ++d)
           if (fixed.is_active(node, d))
             {
               takes_part[d] = true;
@@ -111,7 +94,7 @@ namespace StickSlip
             }
         const Tensor<1, n_components> end =
           friction->minimise(i, A, f, takes_part, start);
-        for (unsigned int d = 0; d < n_tangential; ++d)
+        for (unsigned int d = 0; d < dim - 1; ++d)
           {
             const unsigned int entry = node * n_components + d;
             if (takes_part[d])
@@ -156,11 +139,11 @@ namespace StickSlip
     // of the next step.
     NodalVector u = problem.make_vector(), a = u;
     problem.to_jumps(u, displacement);
-    const NodalVector         force = forces(from.time + tau, u, w);
-    const std::vector<double> known = known_velocities(from.time + 1.5 * tau);
-    for (unsigned int i = 0; i < known_entries.size(); ++i)
-      a.local_element(known_entries[i]) =
-        (known[i] - w.local_element(known_entries[i])) / tau;
+    const NodalVector force = forces(from.time + tau, u, w);
+    update_known_velocity(from.time + 1.5 * tau);
+    for (const unsigned int entry : known_entries)
+      a.local_element(entry) =
+        (known_velocity.local_element(entry) - w.local_element(entry)) / tau;
     friction->set_normal_stresses(faults.at_owned_contact(from.normal_stress));
     friction->set_state(faults.at_owned_contact(to.alpha));
     mass.accelerate_bodies(a, force);
@@ -205,13 +188,21 @@ namespace StickSlip
     const Unknowns &unknowns    = problem.operators().unknowns();
     const bool      has_damping = problem.has(Problem::damping);
     NodalVector     x = problem.make_vector(), stiff = x, viscous = x, p = x;
-    // Numbers without a pattern.
-    for (unsigned int i = 0; i < unknowns.nodes.n_owned(); ++i)
-      for (unsigned int c = 0; c < n_components; ++c)
-        {
-          const double n = unknowns.nodes.global_index(i) * n_components + c;
-          x.local_element(i * n_components + c) = std::sin(1.3 * n * n);
-        }
+    // Numbers without a pattern that do not depend on the processes, as those
+    // of degrees of freedom do not.
+    const MeshLevel<dim> &level = problem.meshes().finest();
+    double                n     = 0.;
+    for (unsigned int b = 0; b < level.bodies.size(); ++b)
+      for (types::global_dof_index dof = 0;
+           dof < level.bodies[b]->dof_handler().n_dofs();
+           ++dof)
+        for (unsigned int c = 0; c < n_components; ++c, ++n)
+          {
+            const auto node = level.global_node(b, dof);
+            if (level.nodes.owned().is_element(node))
+              x.local_element(level.nodes.local_index(node) * n_components +
+                              c) = std::sin(1.3 * n * n);
+          }
     unknowns.fixed.apply(x);
     double limit = 0.;
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)

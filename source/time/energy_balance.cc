@@ -5,6 +5,7 @@
 
 #include <stickslip/algebra/form_kernels.h>
 #include <stickslip/base/magnitude.h>
+#include <stickslip/problem/known_velocities.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/energy_balance.h>
 
@@ -49,17 +50,13 @@ namespace StickSlip
     , laws(laws)
     , account(account)
     , lumped_mass(lumped_mass)
+    , driven(fixed_entries(problem.operators().unknowns()))
     , last(std::make_unique<Moment>())
     , end(std::make_unique<Moment>())
     , change(problem.make_vector())
   {
-    last->displacement = last->velocity          = change;
-    *end                                         = *last;
-    const LevelDescription<n_components> &finest = problem.hierarchy().finest();
-    for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
-      for (unsigned int c = 0; c < n_components; ++c)
-        if (!finest.fixed.is_active(i, c))
-          driven.push_back(i * n_components + c);
+    last->displacement = last->velocity = change;
+    *end                                = *last;
   }
 
 

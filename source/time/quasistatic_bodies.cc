@@ -5,6 +5,7 @@
 
 #include <stickslip/algebra/dense_symmetric.h>
 #include <stickslip/faults/contact_pressure.h>
+#include <stickslip/problem/known_velocities.h>
 #include <stickslip/time/quasistatic_bodies.h>
 
 
@@ -112,26 +113,7 @@ namespace StickSlip
   bool
   QuasistaticBodies<dim, n_components>::is_steady(const double time) const
   {
-    return problem.has_constant_load() &&
-           problem.boundary_values().velocities_become_constant() &&
-           time >= problem.longest_ramp();
-  }
-
-
-
-  template <int dim, int n_components>
-  NodalVector
-  QuasistaticBodies<dim, n_components>::known_velocities(
-    const double time) const
-  {
-    NodalVector nodal = problem.make_nodal_vector(), w = problem.make_vector();
-    problem.boundary_values().set_velocities(time, nodal);
-    problem.to_jumps(w, nodal);
-    problem.set_known_jumps(time, w);
-    NodalVector free = w;
-    problem.operators().unknowns().fixed.apply(free);
-    w -= free;
-    return w;
+    return problem.has_constant_load() && velocities_stay(problem, time);
   }
 
 
@@ -141,9 +123,9 @@ namespace StickSlip
   QuasistaticBodies<dim, n_components>::velocities_of_faults(
     const SystemState<dim> &state) const
   {
-    NodalVector w = steady_drive && is_steady(state.time) ?
-                      steady_drive->velocity :
-                      known_velocities(state.time);
+    NodalVector w = are_drives_steady && is_steady(state.time) ?
+                      last_drives.second->velocity :
+                      known_velocities(problem, state.time);
     set_free_slip(w, state.slip_rate);
     return w;
   }
@@ -237,8 +219,13 @@ namespace StickSlip
                                                    const NodalVector &load_rate)
   {
     prepare();
+    if (problem.has_constant_load())
+      for (const auto &drive : {last_drives.first, last_drives.second})
+        if (drive && drive->time == time)
+          return drive;
     auto result        = std::make_shared<Drive>();
-    result->velocity   = known_velocities(time);
+    result->time       = time;
+    result->velocity   = known_velocities(problem, time);
     result->slip_rate  = faults.tangential_jumps(result->velocity);
     NodalVector motion = result->velocity;
     balance(motion, load_rate);
@@ -257,12 +244,18 @@ namespace StickSlip
   {
     if (!is_steady(from))
       {
-        const NodalVector rate = load_rate(from + tau, tau);
-        return {make_drive(from, rate), make_drive(from + tau, rate)};
+        const NodalVector rate  = load_rate(from + tau, tau);
+        const auto        start = make_drive(from, rate);
+        last_drives             = {start, make_drive(from + tau, rate)};
+        are_drives_steady       = false;
       }
-    if (!steady_drive)
-      steady_drive = make_drive(from, problem.make_vector());
-    return {steady_drive, steady_drive};
+    else if (!are_drives_steady)
+      {
+        const auto both   = make_drive(from, problem.make_vector());
+        last_drives       = {both, both};
+        are_drives_steady = true;
+      }
+    return last_drives;
   }
 
 

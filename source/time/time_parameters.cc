@@ -42,27 +42,27 @@ namespace StickSlip
       tolerance,
       NumberRange().above(0),
       "Error allowed on the faults in a step under the embedded control, with "
-      "central differences and in Runge-Kutta steps, without unit: the root of the mean square over "
-      "a fault of the error of the logarithm of the state and, at each node, "
-      "of the smaller one of two: the error of the friction coefficient over "
-      "the larger one of a and b, times the normal stress over its mean; or "
-      "that of the slip rate over the largest one of the fault. Squares of "
-      "several faults add up, and nodes with a prescribed slip rate do not "
-      "count. Before three steps have been taken, the state alone does. In "
-      "Runge-Kutta steps the errors are those of the logarithm of the state "
-      "and of the slip over the characteristic slip.");
+      "central differences and in Runge-Kutta steps, without unit: the root "
+      "of the mean square over a fault of the error of the logarithm of the "
+      "state and, at each node, of the smaller one of two: the error of the "
+      "friction coefficient over the larger one of a and b, times the normal "
+      "stress over its mean; or that of the slip rate over the largest one of "
+      "the fault. Squares of several faults add up, and nodes with a "
+      "prescribed slip rate do not count. Before three steps have been taken, "
+      "the state alone does. In Runge-Kutta steps the errors are those of the "
+      "logarithm of the state and of the slip over the characteristic slip.");
     add_number(
       prm,
       "Body tolerance",
       body_tolerance,
       NumberRange().above(0),
       "Error of the velocity of the bodies allowed in a step under the "
-      "embedded control and with central differences, without unit: its mean, weighted by the mass and by "
-      "itself, times the impedance of shear waves, over the larger one of a "
-      "and b times the normal stress (of the fault where these are least): "
-      "what the error of waves brings to the faults. Used only with "
-      "'Inertia = dynamic', after three steps, and where friction is rate "
-      "and state.");
+      "embedded control and with central differences, without unit: its mean, "
+      "weighted by the mass and by itself, times the impedance of shear "
+      "waves, over the larger one of a and b times the normal stress (of the "
+      "fault where these are least): what the error of waves brings to the "
+      "faults. Used only with 'Inertia = dynamic', after three steps, and "
+      "where friction is rate and state.");
     add_number(prm,
                "Impact tolerance",
                impact_tolerance,

@@ -85,7 +85,8 @@ namespace StickSlip
 
     void
     residual_after_first_sweep(NodeValues<Number>       &r,
-                               const NodeValues<Number> &x) const;
+                               const NodeValues<Number> &x,
+                               const NodeValues<Number> &b) const;
 
     /** A forward sweep from any x, after which @p change is the change of x,
      * with its ghosts. */
@@ -94,24 +95,13 @@ namespace StickSlip
                   NodeValues<Number>       &change,
                   const NodeValues<Number> &b) const;
 
-    /** r = b - A x after sweep_forward() with this @p change. */
+    /** r = b - A x after sweep_forward() with this @p change, without
+     * communication; the ghosts of x may change. */
     void
     residual_after_sweep(NodeValues<Number>       &r,
-                         const NodeValues<Number> &change) const;
-
-    /** With patches, r = b - A x in the place of residual_after_first_sweep(),
-     * which fetches the ghosts of x like that; and in the place of
-     * residual_after_sweep(), where x has the ghosts from before the sweep. */
-    void
-    residual(NodeValues<Number>       &r,
-             const NodeValues<Number> &x,
-             const NodeValues<Number> &b) const;
-
-    void
-    residual(NodeValues<Number>       &r,
-             NodeValues<Number>       &x,
-             const NodeValues<Number> &change,
-             const NodeValues<Number> &b) const;
+                         NodeValues<Number>       &x,
+                         const NodeValues<Number> &change,
+                         const NodeValues<Number> &b) const;
 
     /** A backward sweep; fetches the ghosts of x. */
     void

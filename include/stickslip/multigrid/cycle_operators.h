@@ -18,7 +18,7 @@ namespace StickSlip
    * and all in the form of the smoother, the finest one as a copy. See VCycle,
    * whose functions of the same names these serve.
    *
-   * Where bodies are nearly incompressible, the smoothers relax cells, and
+   * Smoothers relax cells where bodies are nearly incompressible, and
    * transfers move the nodes in the middle of coarse cells.
    */
   template <int n_components, typename Number>

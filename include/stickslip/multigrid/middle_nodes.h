@@ -52,12 +52,6 @@ namespace StickSlip
                 const NodeMask                  &fixed,
                 const std::vector<unsigned int> &nonsmooth_nodes);
 
-    bool
-    empty() const
-    {
-      return nodes.empty();
-    }
-
     /** fine += C coarse. */
     template <typename Number>
     void

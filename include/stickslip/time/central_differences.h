@@ -67,10 +67,9 @@ namespace StickSlip
     }
 
   private:
-    /** The velocities that are known at @p time, at the entries of
-     * known_entries, m/s. */
-    std::vector<double>
-    known_velocities(const double time);
+    /** Bring known_velocity to @p time. */
+    void
+    update_known_velocity(const double time);
 
     /** Forces on the bodies at @p time but friction, in the jump basis, N. */
     NodalVector
@@ -94,10 +93,11 @@ namespace StickSlip
     const LumpedMass<dim, n_components>          mass;
     std::unique_ptr<FaultFriction<n_components>> friction;
 
-    /** Entries of owned nodes that are fixed, and their velocities once these
-     * do not change any more; empty before. */
-    std::vector<unsigned int> known_entries;
-    std::vector<double>       steady_velocities;
+    /** Entries whose velocity is known, this velocity, m/s, in the jump basis,
+     * and whether it stays. */
+    const std::vector<unsigned int> known_entries;
+    NodalVector                     known_velocity;
+    bool                            is_known_steady = false;
     /** The load when it was asked for last. */
     NodalVector load;
   };

@@ -247,7 +247,7 @@ namespace StickSlip
     const LumpedMass<dim, n_components> *const lumped_mass;
 
     /** Entries of owned nodes that are fixed, node after node. */
-    std::vector<unsigned int> driven;
+    const std::vector<unsigned int> driven;
 
     /** Empty where the load changes in time. */
     NodalVector constant_load;

@@ -51,6 +51,8 @@ namespace StickSlip
      * forces that go with these velocities and the loads alone. */
     struct Drive
     {
+      /** s. */
+      double      time;
       NodalVector velocity;
       Slip        slip_rate;
       Forces      force_rate;
@@ -153,17 +155,13 @@ namespace StickSlip
     bool
     is_steady(const double time) const;
 
-    /** The velocities that are known at @p time, in the jump basis, and zero
-     * else. */
-    NodalVector
-    known_velocities(const double time) const;
-
     /** The change of the load over the step that has led to @p time, over its
      * size; zero at the start. */
     NodalVector
     load_rate(const double time, const double tau) const;
 
-    /** The drive at @p time with this rate of the load. */
+    /** The drive at @p time with this rate of the load; one of last_drives if
+     * it is that. */
     std::shared_ptr<const Drive>
     make_drive(const double time, const NodalVector &load_rate);
 
@@ -213,8 +211,11 @@ namespace StickSlip
     std::vector<double> pressures_of_slip;
     /** Of the functionals of body_values(). */
     std::vector<Influence> influences;
-    /** The drive once nothing changes any more; null before. */
-    std::shared_ptr<const Drive> steady_drive;
+    /** The drives at both ends of the last step, and whether they are those of
+     * all times from then on. */
+    std::pair<std::shared_ptr<const Drive>, std::shared_ptr<const Drive>>
+         last_drives;
+    bool are_drives_steady = false;
   };
 } // namespace StickSlip
 
