@@ -204,7 +204,7 @@ TYPED_TEST(BlockAlgebra, LinearCombination)
     value = problem.number(problem.generator);
   for (double &value : C.values())
     value = problem.number(problem.generator);
-  sum.combine({2., -3., 0.5}, {problem.A, B, C}, 0, sum.n_rows());
+  sum.combine({{2., &problem.A}, {-3., &B}, {0.5, &C}}, 0, sum.n_rows());
   for (unsigned int i = 0; i < sum.values().size(); ++i)
     EXPECT_NEAR(sum.values()[i],
                 2. * problem.A.values()[i] - 3. * B.values()[i] +
@@ -214,7 +214,7 @@ TYPED_TEST(BlockAlgebra, LinearCombination)
   // Some of the rows.
   const BlockMatrix<n_components> before = sum;
   const unsigned int              begin = 2, end = sum.n_rows() - 1;
-  sum.combine({4.}, {B}, begin, end);
+  sum.combine({{4., &B}}, begin, end);
   for (unsigned int i = 0; i < sum.n_rows(); ++i)
     for (unsigned int k = sum.sparsity().row_start[i];
          k < sum.sparsity().row_start[i + 1];

@@ -26,7 +26,7 @@ namespace StickSlip::Tests
     const unsigned int       n     = shape.size();
     LAPACKFullMatrix<double> K(n), M(n);
     const auto               expand = [](LAPACKFullMatrix<double> &full,
-                           const BlockMatrix<2>     &A) {
+                           const TermMatrix<2>      &A) {
       for (unsigned int i = 0; i < A.n_rows(); ++i)
         for (unsigned int k = A.sparsity().row_start[i];
              k < A.sparsity().row_start[i + 1];
@@ -34,7 +34,7 @@ namespace StickSlip::Tests
           for (unsigned int c = 0; c < 2; ++c)
             for (unsigned int d = 0; d < 2; ++d)
               full(i * 2 + c, A.sparsity().column[k] * 2 + d) =
-                A.block(k)[c * 2 + d];
+                A.entry(i, k)[c][d];
     };
     expand(K, problem.term(SpatialProblem<2>::stiffness));
     expand(M, problem.term(SpatialProblem<2>::mass));

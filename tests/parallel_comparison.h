@@ -42,8 +42,51 @@ namespace StickSlip::Tests
 
 
 
+  template <int dim>
+  double
+  largest_entry(const Tensor<2, dim> &block)
+  {
+    double result = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        result = std::max(result, std::abs(block[c][d]));
+    return result;
+  }
+
+
+
   /** The largest difference of any entry of the owned rows, over the largest
    * entry of any row; over all processes. */
+  template <int dim>
+  double
+  difference(const TermMatrix<dim>                      &shared,
+             const NodePartition                        &nodes,
+             const TermMatrix<dim>                      &alone,
+             const std::vector<types::global_dof_index> &numbers)
+  {
+    double      largest = 0, error = 0;
+    const auto &row_start = shared.sparsity().row_start;
+    const auto &alone_row = alone.sparsity().row_start;
+    for (unsigned int i = 0; i < alone.n_rows(); ++i)
+      for (unsigned int k = alone_row[i]; k < alone_row[i + 1]; ++k)
+        largest = std::max(largest, largest_entry(alone.entry(i, k)));
+    for (unsigned int i = 0; i < shared.n_rows(); ++i)
+      {
+        std::map<types::global_dof_index, Tensor<2, dim>> row;
+        for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
+          row[numbers[nodes.global_index(shared.sparsity().column[k])]] =
+            shared.entry(i, k);
+        const unsigned int I = numbers[nodes.global_index(i)];
+        for (unsigned int k = alone_row[I]; k < alone_row[I + 1]; ++k)
+          row[alone.sparsity().column[k]] -= alone.entry(I, k);
+        for (const auto &entry : row)
+          error = std::max(error, largest_entry(entry.second));
+      }
+    return Utilities::MPI::max(error / largest, MPI_COMM_WORLD);
+  }
+
+
+
   template <int dim>
   double
   difference(const BlockMatrix<dim>                     &shared,
@@ -51,30 +94,10 @@ namespace StickSlip::Tests
              const BlockMatrix<dim>                     &alone,
              const std::vector<types::global_dof_index> &numbers)
   {
-    double largest = 0, error = 0;
-    for (const double value : alone.values())
-      largest = std::max(largest, std::abs(value));
-    const auto            &row_start = shared.sparsity().row_start;
-    const auto            &alone_row = alone.sparsity().row_start;
-    constexpr unsigned int n         = dim * dim;
-    for (unsigned int i = 0; i < shared.n_rows(); ++i)
-      {
-        std::map<types::global_dof_index, std::array<double, n>> row;
-        for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
-          {
-            const auto column =
-              numbers[nodes.global_index(shared.sparsity().column[k])];
-            std::copy_n(shared.block(k), n, row[column].begin());
-          }
-        const unsigned int I = numbers[nodes.global_index(i)];
-        for (unsigned int k = alone_row[I]; k < alone_row[I + 1]; ++k)
-          for (unsigned int c = 0; c < n; ++c)
-            row[alone.sparsity().column[k]][c] -= alone.block(k)[c];
-        for (const auto &entry : row)
-          for (const double value : entry.second)
-            error = std::max(error, std::abs(value));
-      }
-    return Utilities::MPI::max(error / largest, MPI_COMM_WORLD);
+    return difference(TermMatrix<dim>(shared),
+                      nodes,
+                      TermMatrix<dim>(alone),
+                      numbers);
   }
 
 

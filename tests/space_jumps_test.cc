@@ -183,7 +183,7 @@ namespace
     for (const auto term :
          {SpatialProblem<dim>::stiffness, SpatialProblem<dim>::damping})
       {
-        BlockMatrix<dim> A = scene.problem.term(term);
+        BlockMatrix<dim> A = scene.problem.term(term).block_matrix();
         for (unsigned int l = scene.meshes.n_levels(); l-- > 0;)
           {
             double scale = 0.;

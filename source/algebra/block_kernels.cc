@@ -80,6 +80,28 @@ namespace StickSlip
 
     template <int n_components, typename Number>
     void
+    vmult_by_numbers(const BlockRows<Number> &A,
+                     const unsigned int       n,
+                     const Number            *x,
+                     Number                  *y)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          Number s[n_components] = {};
+          for (unsigned int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+            for (int c = 0; c < n_components; ++c)
+              s[c] +=
+                A.values[k] *
+                x[static_cast<unsigned long>(A.column[k]) * n_components + c];
+          for (int c = 0; c < n_components; ++c)
+            y[i * n_components + c] = s[c];
+        }
+    }
+
+
+
+    template <int n_components, typename Number>
+    void
     residual(const BlockRows<Number> &A,
              const unsigned int       begin,
              const unsigned int       end,
@@ -168,6 +190,15 @@ namespace StickSlip
     STICKSLIP_INSTANTIATE(2, double)
     STICKSLIP_INSTANTIATE(3, float)
     STICKSLIP_INSTANTIATE(3, double)
+#undef STICKSLIP_INSTANTIATE
+
+#define STICKSLIP_INSTANTIATE(n_components)             \
+  template void vmult_by_numbers<n_components, double>( \
+    const BlockRows<double> &, const unsigned int, const double *, double *);
+
+    STICKSLIP_INSTANTIATE(1)
+    STICKSLIP_INSTANTIATE(2)
+    STICKSLIP_INSTANTIATE(3)
 #undef STICKSLIP_INSTANTIATE
 
     template void

@@ -148,20 +148,20 @@ namespace StickSlip
   template <int n_components, typename Number>
   void
   BlockMatrix<n_components, Number>::combine(
-    const std::vector<double>      &coefficients,
-    const std::vector<BlockMatrix> &terms,
-    const unsigned int              begin,
-    const unsigned int              end)
+    const std::vector<std::pair<double, const BlockMatrix *>> &terms,
+    const unsigned int                                         begin,
+    const unsigned int                                         end)
   {
-    AssertDimension(coefficients.size(), terms.size());
     const std::size_t first = std::size_t(pattern->row_start[begin]),
                       last  = std::size_t(pattern->row_start[end]);
+    std::vector<double>         coefficients;
     std::vector<const Number *> pointers;
-    for (const BlockMatrix &term : terms)
+    for (const auto &[coefficient, term] : terms)
       {
-        Assert(term.pattern == pattern,
+        Assert(term->pattern == pattern,
                ExcMessage("Matrices of one family share their sparsity."));
-        pointers.push_back(term.block(first));
+        coefficients.push_back(coefficient);
+        pointers.push_back(term->block(first));
       }
     Kernels::linear_combination(terms.size(),
                                 coefficients.data(),

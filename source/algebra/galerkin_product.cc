@@ -179,12 +179,12 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   GalerkinProduct<n_components>::compute(
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &fine_mask,
-    BlockMatrix<n_components, CoarseNumber>     &coarse)
+    const FineMatrix                        &fine,
+    const NodeMask                          &fine_mask,
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
     compute(fine, fine_mask, all, coarse);
   }
@@ -202,12 +202,12 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   GalerkinProduct<n_components>::compute_selected_rows(
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &fine_mask,
-    BlockMatrix<n_components, CoarseNumber>     &coarse)
+    const FineMatrix                        &fine,
+    const NodeMask                          &fine_mask,
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
     compute(fine, fine_mask, selected, coarse);
   }
@@ -215,13 +215,13 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   GalerkinProduct<n_components>::compute(
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &fine_mask,
-    const Rows                                  &rows,
-    BlockMatrix<n_components, CoarseNumber>     &coarse)
+    const FineMatrix                        &fine,
+    const NodeMask                          &fine_mask,
+    const Rows                              &rows,
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
     for (const unsigned int I : rows.owned)
       compute_row(fine, fine_mask, I, *sparsity, I, coarse.values().data());
@@ -251,13 +251,13 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   GalerkinProduct<n_components>::compute_rows(
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &fine_mask,
-    const std::vector<unsigned int>             &coarse_rows,
-    BlockMatrix<n_components, CoarseNumber>     &coarse)
+    const FineMatrix                        &fine,
+    const NodeMask                          &fine_mask,
+    const std::vector<unsigned int>         &coarse_rows,
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
     AssertDimension(Utilities::MPI::n_mpi_processes(nodes.communicator()), 1);
     for (const unsigned int I : coarse_rows)
@@ -277,15 +277,14 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename TargetNumber>
+  template <typename FineMatrix, typename TargetNumber>
   void
-  GalerkinProduct<n_components>::compute_row(
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &fine_mask,
-    const unsigned int                           row,
-    const BlockSparsity                         &target,
-    const unsigned int                           target_row,
-    TargetNumber                                *values)
+  GalerkinProduct<n_components>::compute_row(const FineMatrix    &fine,
+                                             const NodeMask      &fine_mask,
+                                             const unsigned int   row,
+                                             const BlockSparsity &target,
+                                             const unsigned int   target_row,
+                                             TargetNumber        *values)
   {
     if (transfer.row_frames().empty() && transfer.column_frames().empty())
       compute_row_with<false>(fine, fine_mask, row, target, target_row, values);
@@ -296,15 +295,14 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <bool with_frames, typename FineNumber, typename TargetNumber>
+  template <bool with_frames, typename FineMatrix, typename TargetNumber>
   void
-  GalerkinProduct<n_components>::compute_row_with(
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &fine_mask,
-    const unsigned int                           I,
-    const BlockSparsity                         &target,
-    const unsigned int                           target_row,
-    TargetNumber                                *values)
+  GalerkinProduct<n_components>::compute_row_with(const FineMatrix  &fine,
+                                                  const NodeMask    &fine_mask,
+                                                  const unsigned int I,
+                                                  const BlockSparsity &target,
+                                                  const unsigned int target_row,
+                                                  TargetNumber      *values)
   {
     constexpr unsigned int n  = n_components * n_components;
     const auto            &P  = transfer.matrix();
@@ -339,7 +337,9 @@ namespace StickSlip
                     fine_mask.is_active(i, d) ?
                       Pt.value[k] * axes[c * n_components + d] :
                       0.;
-              for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1]; ++m)
+              auto block = fine.row(i, fine_blocks);
+              for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1];
+                   ++m, block += n)
                 {
                   const unsigned int j = A.column[m];
                   if (position[j] < 0)
@@ -352,7 +352,7 @@ namespace StickSlip
                       ++n_fine_columns;
                     }
                   add_product<n_components>(
-                    weight, fine.block(m), sums + std::size_t(position[j]) * n);
+                    weight, block, sums + std::size_t(position[j]) * n);
                 }
               continue;
             }
@@ -361,7 +361,7 @@ namespace StickSlip
           for (unsigned int d = 0; d < n_components; ++d)
             weight[c * n_components + d] =
               fine_mask.is_active(i, c) ? Pt.value[k] : 0.;
-        const FineNumber *block = fine.block(A.row_start[i]);
+        auto block = fine.row(i, fine_blocks);
         for (unsigned int m = A.row_start[i]; m < A.row_start[i + 1];
              ++m, block += n)
           {
@@ -433,29 +433,28 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE_NUMBERS(n_components, FineNumber, CoarseNumber) \
-  template void                                                               \
-  GalerkinProduct<n_components>::compute<FineNumber, CoarseNumber>(           \
-    const BlockMatrix<n_components, FineNumber> &,                            \
-    const NodeMask &,                                                         \
-    BlockMatrix<n_components, CoarseNumber> &);                               \
-  template void GalerkinProduct<n_components>::compute_selected_rows<         \
-    FineNumber,                                                               \
-    CoarseNumber>(const BlockMatrix<n_components, FineNumber> &,              \
-                  const NodeMask &,                                           \
-                  BlockMatrix<n_components, CoarseNumber> &);                 \
-  template void                                                               \
-  GalerkinProduct<n_components>::compute_rows<FineNumber, CoarseNumber>(      \
-    const BlockMatrix<n_components, FineNumber> &,                            \
-    const NodeMask &,                                                         \
-    const std::vector<unsigned int> &,                                        \
-    BlockMatrix<n_components, CoarseNumber> &);
+#define STICKSLIP_INSTANTIATE_COMPUTE(n, CoarseNumber, ...)      \
+  template void GalerkinProduct<n>::compute(const __VA_ARGS__ &, \
+                                            const NodeMask &,    \
+                                            BlockMatrix<n, CoarseNumber> &);
 
-#define STICKSLIP_INSTANTIATE(n_components)                   \
-  template class GalerkinProduct<n_components>;               \
-  STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, double) \
-  STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, float)  \
-  STICKSLIP_INSTANTIATE_NUMBERS(n_components, float, float)
+#define STICKSLIP_INSTANTIATE_ROWS(n, CoarseNumber, ...)                    \
+  STICKSLIP_INSTANTIATE_COMPUTE(n, CoarseNumber, __VA_ARGS__)               \
+  template void GalerkinProduct<n>::compute_selected_rows(                  \
+    const __VA_ARGS__ &, const NodeMask &, BlockMatrix<n, CoarseNumber> &); \
+  template void GalerkinProduct<n>::compute_rows(                           \
+    const __VA_ARGS__ &,                                                    \
+    const NodeMask &,                                                       \
+    const std::vector<unsigned int> &,                                      \
+    BlockMatrix<n, CoarseNumber> &);
+
+#define STICKSLIP_INSTANTIATE(n)                                \
+  template class GalerkinProduct<n>;                            \
+  STICKSLIP_INSTANTIATE_ROWS(n, double, BlockMatrix<n, double>) \
+  STICKSLIP_INSTANTIATE_ROWS(n, float, BlockMatrix<n, double>)  \
+  STICKSLIP_INSTANTIATE_ROWS(n, float, BlockMatrix<n, float>)   \
+  STICKSLIP_INSTANTIATE_COMPUTE(n, double, TermMatrix<n>)       \
+  STICKSLIP_INSTANTIATE_COMPUTE(n, float, TermMatrix<n>)
 
   STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)

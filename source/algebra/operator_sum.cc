@@ -10,8 +10,8 @@ namespace StickSlip
 {
   template <int n_components>
   OperatorSum<n_components>::OperatorSum(
-    const Unknowns                        &unknowns,
-    std::vector<BlockMatrix<n_components>> terms)
+    const Unknowns                       &unknowns,
+    std::vector<TermMatrix<n_components>> terms)
     : unknowns_of_problem(unknowns)
     , summands(std::move(terms))
     , A(summands.at(0).shared_sparsity())
@@ -36,7 +36,8 @@ namespace StickSlip
     for (unsigned int begin = 0; begin < A.n_rows(); begin += n_rows)
       {
         const unsigned int end = std::min(begin + n_rows, A.n_rows());
-        A.combine(coefficients, summands, begin, end);
+        TermMatrix<n_components>::combine(
+          coefficients, summands, begin, end, A);
         for (unsigned int i = begin; i < end; ++i)
           {
             const Tensor<2, n_components> inverse =
@@ -132,8 +133,12 @@ namespace StickSlip
   std::size_t
   OperatorSum<n_components>::memory_consumption() const
   {
-    return A.memory_consumption() * (1 + summands.size()) +
-           A.sparsity().memory_consumption() + sizeof(double) * inverses.size();
+    std::size_t bytes = A.memory_consumption() +
+                        A.sparsity().memory_consumption() +
+                        sizeof(double) * inverses.size();
+    for (const TermMatrix<n_components> &term : summands)
+      bytes += term.memory_consumption();
+    return bytes;
   }
 
 

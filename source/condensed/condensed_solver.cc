@@ -107,7 +107,7 @@ namespace StickSlip
           condensed_operators.emplace_front(entries);
         if (Operator &only = condensed_operators.front(); only.version == 0)
           {
-            only.condensed.set_matrix(operators.terms()[0],
+            only.condensed.set_matrix(operators.terms()[0].block_matrix(),
                                       operators.unknowns().fixed);
             only.version = 1;
             ++condensations;

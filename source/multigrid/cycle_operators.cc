@@ -13,7 +13,7 @@ namespace StickSlip
   template <int n_components, typename Number>
   CycleOperators<n_components, Number>::CycleOperators(
     const std::vector<LevelDescription<n_components>> &descriptions,
-    const std::vector<BlockMatrix<n_components>>      &terms)
+    const std::vector<TermMatrix<n_components>>       &terms)
     : descriptions(descriptions)
     , is_shared(Utilities::MPI::n_mpi_processes(
                   descriptions.back().nodes.communicator()) > 1)
@@ -54,11 +54,11 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
-  template <typename OtherNumber>
+  template <typename Matrix>
   void
   CycleOperators<n_components, Number>::set_up_level(
-    const unsigned int                                         l,
-    const std::vector<BlockMatrix<n_components, OtherNumber>> &terms)
+    const unsigned int         l,
+    const std::vector<Matrix> &terms)
   {
     const LevelDescription<n_components> &description = descriptions[l];
     const BlockSparsity                  &sparsity   = terms.front().sparsity();
@@ -102,14 +102,14 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
-  template <typename FineNumber>
+  template <typename FineMatrix>
   void
   CycleOperators<n_components, Number>::compute_coarser_terms(
-    const unsigned int                                        l,
-    const std::vector<BlockMatrix<n_components, FineNumber>> &fine_terms)
+    const unsigned int             l,
+    const std::vector<FineMatrix> &fine_terms)
   {
     GalerkinProduct<n_components> &product = *descriptions[l].to_coarser;
-    for (const BlockMatrix<n_components, FineNumber> &term : fine_terms)
+    for (const FineMatrix &term : fine_terms)
       {
         levels[l - 1].terms.emplace_back(product.coarse_sparsity());
         product.compute(term,
@@ -156,7 +156,12 @@ namespace StickSlip
       {
         Level             &level = levels[l];
         const unsigned int n     = level.matrix.n_rows();
-        level.matrix.combine(A.coefficients(), level.terms, 0, n);
+        std::vector<
+          std::pair<double, const BlockMatrix<n_components, Number> *>>
+          terms;
+        for (unsigned int t = 0; t < level.terms.size(); ++t)
+          terms.emplace_back(A.coefficients()[t], &level.terms[t]);
+        level.matrix.combine(terms, 0, n);
         level.active = descriptions[l].fixed;
         if (!is_shared)
           level.formed.assign(n, false);

@@ -57,13 +57,12 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename Number>
+  template <typename Matrix>
   typename MiddleNodes<n_components>::BlockRow
-  MiddleNodes<n_components>::product_row(
-    const TransferMatrix                    &transfer,
-    const BlockMatrix<n_components, Number> &matrix,
-    const NodeMask                          &mask,
-    const unsigned int                       i)
+  MiddleNodes<n_components>::product_row(const TransferMatrix &transfer,
+                                         const Matrix         &matrix,
+                                         const NodeMask       &mask,
+                                         const unsigned int    i)
   {
     const TransferMatrix::Compressed &P        = transfer.matrix();
     const BlockSparsity              &sparsity = matrix.sparsity();
@@ -71,12 +70,12 @@ namespace StickSlip
     for (unsigned int m = sparsity.row_start[i]; m < sparsity.row_start[i + 1];
          ++m)
       {
-        const unsigned int j = sparsity.column[m];
-        Block              A_ij;
+        const unsigned int j    = sparsity.column[m];
+        Block              A_ij = matrix.entry(i, m);
         for (unsigned int c = 0; c < n_components; ++c)
           for (unsigned int d = 0; d < n_components; ++d)
-            if (mask.is_active(j, d))
-              A_ij[c][d] = matrix.block(m)[c * n_components + d];
+            if (!mask.is_active(j, d))
+              A_ij[c][d] = 0.;
         for (unsigned int k = P.row_start[j]; k < P.row_start[j + 1]; ++k)
           row[P.column[k]] +=
             A_ij * transfer_block<n_components>(transfer, j, k);
@@ -87,14 +86,14 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename Number>
+  template <typename Matrix>
   MiddleNodes<n_components>::MiddleNodes(
-    const TransferMatrix                                 &transfer,
-    const unsigned int                                    n_coarse,
-    const std::vector<BlockMatrix<n_components, Number>> &matrices,
-    const StiffVolumes                                   &stiff_volumes,
-    const NodeMask                                       &fixed,
-    const std::vector<unsigned int>                      &nonsmooth_nodes)
+    const TransferMatrix            &transfer,
+    const unsigned int               n_coarse,
+    const std::vector<Matrix>       &matrices,
+    const StiffVolumes              &stiff_volumes,
+    const NodeMask                  &fixed,
+    const std::vector<unsigned int> &nonsmooth_nodes)
   {
     const TransferMatrix::Compressed &P        = transfer.matrix();
     const BlockSparsity              &sparsity = matrices.front().sparsity();
@@ -117,7 +116,7 @@ namespace StickSlip
           is_local &= sparsity.column[m] < is_excluded.size();
         if (!is_local)
           continue;
-        const BlockMatrix<n_components, Number> &A = matrices[stiff_volumes[i]];
+        const Matrix  &A   = matrices[stiff_volumes[i]];
         const BlockRow row = product_row(transfer, A, fixed, i);
         if (row.back().first >= n_coarse)
           continue;
@@ -197,15 +196,15 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   MiddleNodes<n_components>::add_share(
-    const unsigned int                           k,
-    const TransferMatrix                        &transfer,
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &mask,
-    const std::vector<bool>                     &is_selected,
-    BlockMatrix<n_components, CoarseNumber>     &coarse) const
+    const unsigned int                       k,
+    const TransferMatrix                    &transfer,
+    const FineMatrix                        &fine,
+    const NodeMask                          &mask,
+    const std::vector<bool>                 &is_selected,
+    BlockMatrix<n_components, CoarseNumber> &coarse) const
   {
     // With the row R = (A T)_m: C^T R + R^T C + C^T A_mm C.
     const unsigned int   m        = nodes[k];
@@ -243,13 +242,13 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   MiddleNodes<n_components>::add_to_product(
-    const TransferMatrix                        &transfer,
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &mask,
-    BlockMatrix<n_components, CoarseNumber>     &coarse) const
+    const TransferMatrix                    &transfer,
+    const FineMatrix                        &fine,
+    const NodeMask                          &mask,
+    BlockMatrix<n_components, CoarseNumber> &coarse) const
   {
     for (unsigned int k = 0; k < nodes.size(); ++k)
       add_share(k, transfer, fine, mask, {}, coarse);
@@ -258,14 +257,14 @@ namespace StickSlip
 
 
   template <int n_components>
-  template <typename FineNumber, typename CoarseNumber>
+  template <typename FineMatrix, typename CoarseNumber>
   void
   MiddleNodes<n_components>::add_to_rows(
-    const TransferMatrix                        &transfer,
-    const BlockMatrix<n_components, FineNumber> &fine,
-    const NodeMask                              &mask,
-    const std::vector<unsigned int>             &rows,
-    BlockMatrix<n_components, CoarseNumber>     &coarse) const
+    const TransferMatrix                    &transfer,
+    const FineMatrix                        &fine,
+    const NodeMask                          &mask,
+    const std::vector<unsigned int>         &rows,
+    BlockMatrix<n_components, CoarseNumber> &coarse) const
   {
     if (nodes.empty())
       return;
@@ -298,40 +297,49 @@ namespace StickSlip
 
 
 #define STICKSLIP_INSTANTIATE_NUMBER(n_components, Number)         \
-  template MiddleNodes<n_components>::MiddleNodes(                 \
-    const TransferMatrix &,                                        \
-    const unsigned int,                                            \
-    const std::vector<BlockMatrix<n_components, Number>> &,        \
-    const StiffVolumes &,                                          \
-    const NodeMask &,                                              \
-    const std::vector<unsigned int> &);                            \
   template void MiddleNodes<n_components>::prolongate_add<Number>( \
     NodeValues<Number> &, const NodeValues<Number> &) const;       \
   template void MiddleNodes<n_components>::restrict_add<Number>(   \
     NodeValues<Number> &, const NodeValues<Number> &) const;
 
-#define STICKSLIP_INSTANTIATE_NUMBERS(n_components, FineNumber, CoarseNumber) \
-  template void                                                               \
-  MiddleNodes<n_components>::add_to_product<FineNumber, CoarseNumber>(        \
-    const TransferMatrix &,                                                   \
-    const BlockMatrix<n_components, FineNumber> &,                            \
-    const NodeMask &,                                                         \
-    BlockMatrix<n_components, CoarseNumber> &) const;                         \
-  template void                                                               \
-  MiddleNodes<n_components>::add_to_rows<FineNumber, CoarseNumber>(           \
-    const TransferMatrix &,                                                   \
-    const BlockMatrix<n_components, FineNumber> &,                            \
-    const NodeMask &,                                                         \
-    const std::vector<unsigned int> &,                                        \
+#define STICKSLIP_INSTANTIATE_TERMS(n_components, ...) \
+  template MiddleNodes<n_components>::MiddleNodes(     \
+    const TransferMatrix &,                            \
+    const unsigned int,                                \
+    const std::vector<__VA_ARGS__> &,                  \
+    const StiffVolumes &,                              \
+    const NodeMask &,                                  \
+    const std::vector<unsigned int> &);
+
+#define STICKSLIP_INSTANTIATE_PRODUCT(n_components, CoarseNumber, ...) \
+  template void MiddleNodes<n_components>::add_to_product(             \
+    const TransferMatrix &,                                            \
+    const __VA_ARGS__ &,                                               \
+    const NodeMask &,                                                  \
     BlockMatrix<n_components, CoarseNumber> &) const;
 
-#define STICKSLIP_INSTANTIATE(n_components)                   \
-  template class MiddleNodes<n_components>;                   \
-  STICKSLIP_INSTANTIATE_NUMBER(n_components, double)          \
-  STICKSLIP_INSTANTIATE_NUMBER(n_components, float)           \
-  STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, double) \
-  STICKSLIP_INSTANTIATE_NUMBERS(n_components, double, float)  \
-  STICKSLIP_INSTANTIATE_NUMBERS(n_components, float, float)
+#define STICKSLIP_INSTANTIATE_ROWS(n_components, CoarseNumber, ...) \
+  template void MiddleNodes<n_components>::add_to_rows(             \
+    const TransferMatrix &,                                         \
+    const __VA_ARGS__ &,                                            \
+    const NodeMask &,                                               \
+    const std::vector<unsigned int> &,                              \
+    BlockMatrix<n_components, CoarseNumber> &) const;
+
+#define STICKSLIP_INSTANTIATE(n)                                   \
+  template class MiddleNodes<n>;                                   \
+  STICKSLIP_INSTANTIATE_NUMBER(n, double)                          \
+  STICKSLIP_INSTANTIATE_NUMBER(n, float)                           \
+  STICKSLIP_INSTANTIATE_TERMS(n, BlockMatrix<n, double>)           \
+  STICKSLIP_INSTANTIATE_TERMS(n, BlockMatrix<n, float>)            \
+  STICKSLIP_INSTANTIATE_TERMS(n, TermMatrix<n>)                    \
+  STICKSLIP_INSTANTIATE_PRODUCT(n, double, BlockMatrix<n, double>) \
+  STICKSLIP_INSTANTIATE_PRODUCT(n, float, BlockMatrix<n, float>)   \
+  STICKSLIP_INSTANTIATE_PRODUCT(n, double, TermMatrix<n>)          \
+  STICKSLIP_INSTANTIATE_PRODUCT(n, float, TermMatrix<n>)           \
+  STICKSLIP_INSTANTIATE_ROWS(n, double, BlockMatrix<n, double>)    \
+  STICKSLIP_INSTANTIATE_ROWS(n, float, BlockMatrix<n, double>)     \
+  STICKSLIP_INSTANTIATE_ROWS(n, float, BlockMatrix<n, float>)
 
   STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)

@@ -72,26 +72,25 @@ namespace StickSlip
 
 
     /** The strength of the coupling at @p position in row i. */
-    template <int n_components, typename Number>
+    template <typename Matrix>
     double
-    coupling_strength(const BlockMatrix<n_components, Number> &matrix,
-                      const NodeMask                          &fixed,
-                      const unsigned int                       i,
-                      const unsigned int                       position)
+    coupling_strength(const Matrix      &matrix,
+                      const NodeMask    &fixed,
+                      const unsigned int i,
+                      const unsigned int position)
     {
       const BlockSparsity &sparsity = matrix.sparsity();
       const unsigned int   j        = sparsity.column[position];
-      const Number        *A_ij     = matrix.block(position);
-      const Number        *A_ii     = matrix.block(sparsity.diagonal[i]);
-      const Number        *A_jj     = matrix.block(sparsity.diagonal[j]);
+      const auto           A_ij     = matrix.entry(i, position);
+      const auto           A_ii     = matrix.diagonal_block(i);
+      const auto           A_jj     = matrix.diagonal_block(j);
       double               ij = 0., ii = 0., jj = 0.;
-      for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int c = 0; c < fixed.n_components(); ++c)
         if (fixed.is_active(i, c) && fixed.is_active(j, c))
           {
-            const unsigned int cc = c * (n_components + 1);
-            ij += A_ij[cc];
-            ii += A_ii[cc];
-            jj += A_jj[cc];
+            ij += A_ij[c][c];
+            ii += A_ii[c][c];
+            jj += A_jj[c][c];
           }
       return ij < 0. && ii > 0. && jj > 0. ? -ij / std::sqrt(ii * jj) : 0.;
     }
@@ -206,20 +205,19 @@ namespace StickSlip
 
 
 
-  template <int n_components, typename Number>
+  template <typename Matrix>
   std::vector<NodeLine>
-  find_strong_lines(
-    const BlockSparsity                                  &sparsity,
-    const std::vector<BlockMatrix<n_components, Number>> &matrices,
-    const NodeMask                                       &fixed,
-    const std::vector<unsigned int>                      &nonsmooth_nodes)
+  find_strong_lines(const BlockSparsity             &sparsity,
+                    const std::vector<Matrix>       &matrices,
+                    const NodeMask                  &fixed,
+                    const std::vector<unsigned int> &nonsmooth_nodes)
   {
     const unsigned int n = sparsity.n_rows();
     std::vector<bool>  is_nonsmooth(n, false), is_free(n, true);
     for (const unsigned int i : nonsmooth_nodes)
       is_nonsmooth[i] = true;
     for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int c = 0; c < fixed.n_components(); ++c)
         if (is_nonsmooth[i] || !fixed.is_active(i, c))
           is_free[i] = false;
 
@@ -229,7 +227,7 @@ namespace StickSlip
       const unsigned int j = sparsity.column[k];
       double             s = 0.;
       if (i != j && is_nonsmooth[i] == is_nonsmooth[j])
-        for (const BlockMatrix<n_components, Number> &matrix : matrices)
+        for (const Matrix &matrix : matrices)
           s = std::max(s, coupling_strength(matrix, fixed, i, k));
       return s;
     };
@@ -271,18 +269,21 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components, Number)                       \
-  template std::vector<NodeLine> find_strong_lines<n_components, Number>( \
-    const BlockSparsity &,                                                \
-    const std::vector<BlockMatrix<n_components, Number>> &,               \
-    const NodeMask &,                                                     \
+#define STICKSLIP_INSTANTIATE(...)                               \
+  template std::vector<NodeLine> find_strong_lines<__VA_ARGS__>( \
+    const BlockSparsity &,                                       \
+    const std::vector<__VA_ARGS__> &,                            \
+    const NodeMask &,                                            \
     const std::vector<unsigned int> &);
 
-  STICKSLIP_INSTANTIATE(1, float)
-  STICKSLIP_INSTANTIATE(2, float)
-  STICKSLIP_INSTANTIATE(3, float)
-  STICKSLIP_INSTANTIATE(1, double)
-  STICKSLIP_INSTANTIATE(2, double)
-  STICKSLIP_INSTANTIATE(3, double)
+  STICKSLIP_INSTANTIATE(BlockMatrix<1, float>)
+  STICKSLIP_INSTANTIATE(BlockMatrix<2, float>)
+  STICKSLIP_INSTANTIATE(BlockMatrix<3, float>)
+  STICKSLIP_INSTANTIATE(BlockMatrix<1>)
+  STICKSLIP_INSTANTIATE(BlockMatrix<2>)
+  STICKSLIP_INSTANTIATE(BlockMatrix<3>)
+  STICKSLIP_INSTANTIATE(TermMatrix<1>)
+  STICKSLIP_INSTANTIATE(TermMatrix<2>)
+  STICKSLIP_INSTANTIATE(TermMatrix<3>)
 #undef STICKSLIP_INSTANTIATE
 } // namespace StickSlip

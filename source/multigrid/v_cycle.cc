@@ -19,7 +19,7 @@ namespace StickSlip
     {
     public:
       VCycleIn(const std::vector<LevelDescription<n_components>> &descriptions,
-               const std::vector<BlockMatrix<n_components>>      &terms);
+               const std::vector<TermMatrix<n_components>>       &terms);
 
       void
       set_operator(const OperatorSum<n_components> &A) override;
@@ -89,7 +89,7 @@ namespace StickSlip
     template <int n_components, typename Number>
     VCycleIn<n_components, Number>::VCycleIn(
       const std::vector<LevelDescription<n_components>> &descriptions,
-      const std::vector<BlockMatrix<n_components>>      &terms)
+      const std::vector<TermMatrix<n_components>>       &terms)
       : descriptions(descriptions)
       , operators(descriptions, terms)
       , levels(descriptions.size())
@@ -343,7 +343,7 @@ namespace StickSlip
   std::unique_ptr<VCycle<n_components>>
   make_v_cycle(const CyclePrecision                               precision,
                const std::vector<LevelDescription<n_components>> &levels,
-               const std::vector<BlockMatrix<n_components>>      &terms)
+               const std::vector<TermMatrix<n_components>>       &terms)
   {
     if (precision == CyclePrecision::single_precision)
       return std::make_unique<VCycleIn<n_components, float>>(levels, terms);
@@ -357,7 +357,7 @@ namespace StickSlip
   template std::unique_ptr<VCycle<n_components>> make_v_cycle<n_components>( \
     const CyclePrecision,                                                    \
     const std::vector<LevelDescription<n_components>> &,                     \
-    const std::vector<BlockMatrix<n_components>> &);
+    const std::vector<TermMatrix<n_components>> &);
 
   STICKSLIP_INSTANTIATE(1)
   STICKSLIP_INSTANTIATE(2)

@@ -77,24 +77,26 @@ namespace StickSlip
 
 
     /** The ratio of find_stiff_volumes() for the nodes of a cell. */
-    template <int n_components, typename Number>
+    template <typename Matrix>
     double
-    volume_ratio(const BlockMatrix<n_components, Number> &matrix,
-                 const NodePatch                         &cell)
+    volume_ratio(const Matrix &matrix, const NodePatch &cell)
     {
+      constexpr unsigned int n_components =
+        decltype(matrix.diagonal_block(0))::dimension;
       const unsigned int  n = cell.size(), N = n * n_components;
       std::vector<double> A(std::size_t(N) * N), S(std::size_t(n) * n);
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           {
-            const Number *block =
-              matrix.block(matrix.sparsity().position(cell[i], cell[j]));
+            const auto block =
+              matrix.entry(cell[i],
+                           matrix.sparsity().position(cell[i], cell[j]));
             for (unsigned int c = 0; c < n_components; ++c)
               for (unsigned int d = 0; d < n_components; ++d)
                 A[(i * n_components + c) * N + j * n_components + d] =
-                  block[c * n_components + d];
+                  block[c][d];
             for (unsigned int c = 0; c < n_components; ++c)
-              S[i * n + j] += block[c * (n_components + 1)];
+              S[i * n + j] += block[c][c];
           }
       const double of_cell = least_eigenvalue(A, N);
       return std::isfinite(of_cell) ?
@@ -226,15 +228,14 @@ namespace StickSlip
 
 
 
-  template <int n_components, typename Number>
+  template <typename Matrix>
   StiffVolumes
-  find_stiff_volumes(
-    const BlockSparsity                                  &sparsity,
-    const std::vector<BlockMatrix<n_components, Number>> &matrices,
-    const NodeMask                                       &fixed,
-    const std::vector<unsigned int>                      &nonsmooth_nodes)
+  find_stiff_volumes(const BlockSparsity             &sparsity,
+                     const std::vector<Matrix>       &matrices,
+                     const NodeMask                  &fixed,
+                     const std::vector<unsigned int> &nonsmooth_nodes)
   {
-    if (n_components != 2)
+    if (fixed.n_components() != 2)
       return {};
     const unsigned int n = sparsity.n_rows();
     std::vector<bool>  is_inside(n);
@@ -351,15 +352,15 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components, Number)               \
-  template StiffVolumes find_stiff_volumes<n_components, Number>( \
-    const BlockSparsity &,                                        \
-    const std::vector<BlockMatrix<n_components, Number>> &,       \
-    const NodeMask &,                                             \
+#define STICKSLIP_INSTANTIATE(...)                       \
+  template StiffVolumes find_stiff_volumes<__VA_ARGS__>( \
+    const BlockSparsity &,                               \
+    const std::vector<__VA_ARGS__> &,                    \
+    const NodeMask &,                                    \
     const std::vector<unsigned int> &);
 
-  STICKSLIP_INSTANTIATE(1, double)
-  STICKSLIP_INSTANTIATE(2, double)
-  STICKSLIP_INSTANTIATE(3, double)
+  STICKSLIP_INSTANTIATE(TermMatrix<1>)
+  STICKSLIP_INSTANTIATE(TermMatrix<2>)
+  STICKSLIP_INSTANTIATE(TermMatrix<3>)
 #undef STICKSLIP_INSTANTIATE
 } // namespace StickSlip

@@ -81,7 +81,7 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  const BlockMatrix<n_components> &
+  const TermMatrix<n_components> &
   EquationOfMotion<dim, n_components>::term(const Term term) const
   {
     const auto position = std::find(terms.begin(), terms.end(), term);
@@ -142,14 +142,15 @@ namespace StickSlip
     if (!nodal_terms)
       assemble();
     const NodeMask all(space.meshes().finest().nodes.n_local(), n_components);
-    std::vector<BlockMatrix<n_components>> jump_terms;
+    std::vector<TermMatrix<n_components>> jump_terms;
     for (const Term term : terms)
       {
-        jump_terms.emplace_back(product.coarse_sparsity());
+        BlockMatrix<n_components>  in_jumps(product.coarse_sparsity());
         BlockMatrix<n_components> &nodal = matrix_of(*nodal_terms, term);
-        product.compute(nodal, all, jump_terms.back());
+        product.compute(nodal, all, in_jumps);
         nodal = BlockMatrix<n_components>();
-        rotation.transform(jump_terms.back());
+        rotation.transform(in_jumps);
+        jump_terms.emplace_back(std::move(in_jumps));
       }
     nodal_terms.reset();
     operator_sum =

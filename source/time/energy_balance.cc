@@ -19,19 +19,22 @@ namespace StickSlip
     /** One component of one row of A x. */
     template <int n_components>
     double
-    row_product(const BlockMatrix<n_components> &A,
-                const unsigned int               row,
-                const unsigned int               component,
-                const NodalVector               &x)
+    row_product(const TermMatrix<n_components> &A,
+                const unsigned int              row,
+                const unsigned int              component,
+                const NodalVector              &x)
     {
       const BlockSparsity &sparsity = A.sparsity();
       double               sum      = 0.;
       for (unsigned int position = sparsity.row_start[row];
            position < sparsity.row_start[row + 1];
            ++position)
-        for (unsigned int d = 0; d < n_components; ++d)
-          sum += A.block(position)[component * n_components + d] *
-                 x.begin()[sparsity.column[position] * n_components + d];
+        {
+          const Tensor<2, n_components> block = A.entry(row, position);
+          for (unsigned int d = 0; d < n_components; ++d)
+            sum += block[component][d] *
+                   x.begin()[sparsity.column[position] * n_components + d];
+        }
       return sum;
     }
   } // namespace
@@ -301,7 +304,7 @@ namespace StickSlip
                                                  const bool   has_mean) const
   {
     const BlockMatrix<n_components> &C =
-      problem.term(SpatialProblem<dim, n_components>::damping);
+      problem.term(SpatialProblem<dim, n_components>::damping).block_matrix();
     if (has_mean)
       {
         NodalVector force = change;
@@ -373,7 +376,7 @@ namespace StickSlip
   EnergyBalance<dim, n_components>::driven_work_of_impacts(
     const NodalVector &velocity_change) const
   {
-    const BlockMatrix<n_components> &mass =
+    const TermMatrix<n_components> &mass =
       problem.term(SpatialProblem<dim, n_components>::mass);
     update_ghosts(velocity_change);
     double work = 0.;

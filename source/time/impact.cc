@@ -14,8 +14,8 @@ namespace StickSlip
     template <int n_components>
     struct MaskedMatrix
     {
-      const BlockMatrix<n_components> &matrix;
-      const NodeMask                  &active;
+      const TermMatrix<n_components> &matrix;
+      const NodeMask                 &active;
 
       void
       vmult(NodalVector &y, const NodalVector &x) const
@@ -31,20 +31,20 @@ namespace StickSlip
     template <int n_components>
     struct InverseDiagonal
     {
-      const BlockMatrix<n_components> &matrix;
-      const NodeMask                  &active;
+      const TermMatrix<n_components> &matrix;
+      const NodeMask                 &active;
 
       void
       vmult(NodalVector &y, const NodalVector &x) const
       {
         for (unsigned int i = 0; i < matrix.n_rows(); ++i)
           {
-            const double *block = matrix.block(matrix.sparsity().diagonal[i]);
+            const Tensor<2, n_components> block = matrix.diagonal_block(i);
             for (unsigned int c = 0; c < n_components; ++c)
               y.local_element(i * n_components + c) =
-                active.is_active(i, c) ? x.local_element(i * n_components + c) /
-                                           block[c * n_components + c] :
-                                         0.;
+                active.is_active(i, c) ?
+                  x.local_element(i * n_components + c) / block[c][c] :
+                  0.;
           }
       }
     };
@@ -77,7 +77,7 @@ namespace StickSlip
                             w.get_mpi_communicator()) == 0)
       return 0.;
 
-    const BlockMatrix<n_components> &mass =
+    const TermMatrix<n_components> &mass =
       problem.term(SpatialProblem<dim, n_components>::mass);
     const NodalVector jumps = change;
     NodalVector       rhs = change, product = change;

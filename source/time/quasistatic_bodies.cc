@@ -75,7 +75,7 @@ namespace StickSlip
       return;
     const NodePartition &nodes = problem.hierarchy().finest().nodes;
     condensed = std::make_unique<SchurComplement<n_components>>(
-      problem.term(SpatialProblem<dim, n_components>::stiffness),
+      problem.term(SpatialProblem<dim, n_components>::stiffness).block_matrix(),
       nodes,
       problem.operators().unknowns().fixed,
       entries.positions,

@@ -37,6 +37,14 @@ namespace StickSlip
           const Number            *x,
           Number                  *y);
 
+    /** y_i = sum_j A_ij x_j for the first @p n rows of a matrix of numbers. */
+    template <int n_components, typename Number>
+    void
+    vmult_by_numbers(const BlockRows<Number> &A,
+                     const unsigned int       n,
+                     const Number            *x,
+                     Number                  *y);
+
     /** r_i = b_i - sum_j A_ij x_j for the rows begin <= i < end. */
     template <int n_components, typename Number>
     void

@@ -11,6 +11,7 @@
 #include <stickslip/algebra/node_partition.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace StickSlip
@@ -104,15 +105,22 @@ namespace StickSlip
       return entries.data() + std::size_t(position) * block_size;
     }
 
+    /** The block at a position of a row, as TermMatrix has it. */
     Tensor<2, n_components>
-    diagonal_block(const unsigned int row) const
+    entry(const unsigned int /*row*/, const unsigned int position) const
     {
-      const Number           *values = block(pattern->diagonal[row]);
+      const Number           *values = block(position);
       Tensor<2, n_components> result;
       for (unsigned int c = 0; c < n_components; ++c)
         for (unsigned int d = 0; d < n_components; ++d)
           result[c][d] = values[c * n_components + d];
       return result;
+    }
+
+    Tensor<2, n_components>
+    diagonal_block(const unsigned int row) const
+    {
+      return entry(row, pattern->diagonal[row]);
     }
 
     void
@@ -131,6 +139,13 @@ namespace StickSlip
     Kernels::BlockRows<Number>
     rows() const;
 
+    /** The blocks of a row one after the other, as TermMatrix has them. */
+    const Number *
+    row(const unsigned int i, std::vector<double> & /*buffer*/) const
+    {
+      return block(pattern->row_start[i]);
+    }
+
     /** y = A x. Collective among neighbours, like the next. */
     void
     vmult(NodeValues<Number> &y, const NodeValues<Number> &x) const;
@@ -141,13 +156,12 @@ namespace StickSlip
              const NodeValues<Number> &b,
              const NodeValues<Number> &x) const;
 
-    /** The rows begin <= i < end of this matrix become those of
-     * sum_k coefficients[k] * terms[k]; all share one sparsity. */
+    /** The rows begin <= i < end of this matrix become those of a sum of
+     * matrices times coefficients; all share one sparsity. */
     void
-    combine(const std::vector<double>      &coefficients,
-            const std::vector<BlockMatrix> &terms,
-            const unsigned int              begin,
-            const unsigned int              end);
+    combine(const std::vector<std::pair<double, const BlockMatrix *>> &terms,
+            const unsigned int                                         begin,
+            const unsigned int                                         end);
 
     /** Bytes of the values; the sparsity is shared. */
     std::size_t

@@ -7,6 +7,7 @@
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/row_exchange.h>
+#include <stickslip/algebra/term_matrix.h>
 #include <stickslip/algebra/transfer_matrix.h>
 
 namespace StickSlip
@@ -79,13 +80,13 @@ namespace StickSlip
 
     /**
      * All rows of coarse = T^T (S A S) T, where S sets the components masked
-     * by @p fine_mask to zero; the mask must hold for ghosts too. Collective.
-     */
-    template <typename FineNumber, typename CoarseNumber>
+     * by @p fine_mask to zero; the mask must hold for ghosts too. A is a
+     * BlockMatrix or a TermMatrix. Collective. */
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    compute(const BlockMatrix<n_components, FineNumber> &fine,
-            const NodeMask                              &fine_mask,
-            BlockMatrix<n_components, CoarseNumber>     &coarse);
+    compute(const FineMatrix                        &fine,
+            const NodeMask                          &fine_mask,
+            BlockMatrix<n_components, CoarseNumber> &coarse);
 
     /**
      * Choose the rows of compute_selected_rows(), by the local index of the
@@ -96,9 +97,9 @@ namespace StickSlip
     select_rows(const std::vector<bool> &is_selected);
 
     /** The selected rows of the product only. Collective. */
-    template <typename FineNumber, typename CoarseNumber>
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    compute_selected_rows(const BlockMatrix<n_components, FineNumber> &fine,
+    compute_selected_rows(const FineMatrix                        &fine,
                           const NodeMask                          &fine_mask,
                           BlockMatrix<n_components, CoarseNumber> &coarse);
 
@@ -108,12 +109,12 @@ namespace StickSlip
     rows_from(const std::vector<unsigned int> &fine_rows) const;
 
     /** The given rows of the product only. On one process. */
-    template <typename FineNumber, typename CoarseNumber>
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    compute_rows(const BlockMatrix<n_components, FineNumber> &fine,
-                 const NodeMask                              &fine_mask,
-                 const std::vector<unsigned int>             &coarse_rows,
-                 BlockMatrix<n_components, CoarseNumber>     &coarse);
+    compute_rows(const FineMatrix                        &fine,
+                 const NodeMask                          &fine_mask,
+                 const std::vector<unsigned int>         &coarse_rows,
+                 BlockMatrix<n_components, CoarseNumber> &coarse);
 
     std::size_t
     memory_consumption() const;
@@ -130,33 +131,33 @@ namespace StickSlip
     Rows
     make_rows(const std::vector<bool> &is_selected) const;
 
-    template <typename FineNumber, typename CoarseNumber>
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    compute(const BlockMatrix<n_components, FineNumber> &fine,
-            const NodeMask                              &fine_mask,
-            const Rows                                  &rows,
-            BlockMatrix<n_components, CoarseNumber>     &coarse);
+    compute(const FineMatrix                        &fine,
+            const NodeMask                          &fine_mask,
+            const Rows                              &rows,
+            BlockMatrix<n_components, CoarseNumber> &coarse);
 
     /** The share of this process in one coarse row, whose entries are those of
      * @p target in row @p target_row. */
-    template <typename FineNumber, typename TargetNumber>
+    template <typename FineMatrix, typename TargetNumber>
     void
-    compute_row(const BlockMatrix<n_components, FineNumber> &fine,
-                const NodeMask                              &fine_mask,
-                const unsigned int                           row,
-                const BlockSparsity                         &target,
-                const unsigned int                           target_row,
-                TargetNumber                                *values);
+    compute_row(const FineMatrix    &fine,
+                const NodeMask      &fine_mask,
+                const unsigned int   row,
+                const BlockSparsity &target,
+                const unsigned int   target_row,
+                TargetNumber        *values);
 
     /** This share with or without axes of nodes. */
-    template <bool with_frames, typename FineNumber, typename TargetNumber>
+    template <bool with_frames, typename FineMatrix, typename TargetNumber>
     void
-    compute_row_with(const BlockMatrix<n_components, FineNumber> &fine,
-                     const NodeMask                              &fine_mask,
-                     const unsigned int                           row,
-                     const BlockSparsity                         &target,
-                     const unsigned int                           target_row,
-                     TargetNumber                                *values);
+    compute_row_with(const FineMatrix    &fine,
+                     const NodeMask      &fine_mask,
+                     const unsigned int   row,
+                     const BlockSparsity &target,
+                     const unsigned int   target_row,
+                     TargetNumber        *values);
 
     NodePartition                        nodes;
     TransferMatrix                       transfer;
@@ -166,9 +167,9 @@ namespace StickSlip
     AlignedVector<double> ghost_values;
     Rows                  all, selected;
 
-    /** Work space: P^T A for one coarse row, as a list of fine columns, and
-     * the row of the product. */
-    std::vector<double>       row_values;
+    /** Work space: P^T A for one coarse row, as a list of fine columns, a row
+     * of A, and the row of the product. */
+    std::vector<double>       row_values, fine_blocks;
     std::vector<unsigned int> row_columns;
     std::vector<int>          row_position;
     std::vector<unsigned int> coarse_position;

@@ -6,6 +6,7 @@
 
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
+#include <stickslip/algebra/term_matrix.h>
 
 #include <functional>
 #include <map>
@@ -44,8 +45,8 @@ namespace StickSlip
   {
   public:
     /** At least one term; all share one sparsity. */
-    OperatorSum(const Unknowns                        &unknowns,
-                std::vector<BlockMatrix<n_components>> terms);
+    OperatorSum(const Unknowns                       &unknowns,
+                std::vector<TermMatrix<n_components>> terms);
 
     OperatorSum(const OperatorSum &) = delete;
 
@@ -69,7 +70,7 @@ namespace StickSlip
       return A;
     }
 
-    const std::vector<BlockMatrix<n_components>> &
+    const std::vector<TermMatrix<n_components>> &
     terms() const
     {
       return summands;
@@ -117,11 +118,11 @@ namespace StickSlip
     memory_consumption() const;
 
   private:
-    const Unknowns                               unknowns_of_problem;
-    const std::vector<BlockMatrix<n_components>> summands;
-    BlockMatrix<n_components>                    A;
-    AlignedVector<double>                        inverses;
-    std::vector<double>                          current_coefficients;
+    const Unknowns                              unknowns_of_problem;
+    const std::vector<TermMatrix<n_components>> summands;
+    BlockMatrix<n_components>                   A;
+    AlignedVector<double>                       inverses;
+    std::vector<double>                         current_coefficients;
     /** Numbers of the operators so far, by their coefficients. */
     std::map<std::vector<double>, unsigned long> versions;
   };

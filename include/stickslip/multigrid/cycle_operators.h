@@ -29,7 +29,7 @@ namespace StickSlip
      * Collective, like all functions that compute. */
     CycleOperators(
       const std::vector<LevelDescription<n_components>> &descriptions,
-      const std::vector<BlockMatrix<n_components>>      &terms);
+      const std::vector<TermMatrix<n_components>>       &terms);
 
     void
     set_operator(const OperatorSum<n_components> &A);
@@ -98,18 +98,15 @@ namespace StickSlip
 
     /** Set the smoother of level @p l, with the lines or patches that its @p
      * terms and stiff volumes have, and its middle nodes. */
-    template <typename OtherNumber>
+    template <typename Matrix>
     void
-    set_up_level(
-      const unsigned int                                         l,
-      const std::vector<BlockMatrix<n_components, OtherNumber>> &terms);
+    set_up_level(const unsigned int l, const std::vector<Matrix> &terms);
 
     /** The terms on the level below @p l. */
-    template <typename FineNumber>
+    template <typename FineMatrix>
     void
-    compute_coarser_terms(
-      const unsigned int                                        l,
-      const std::vector<BlockMatrix<n_components, FineNumber>> &fine_terms);
+    compute_coarser_terms(const unsigned int             l,
+                          const std::vector<FineMatrix> &fine_terms);
 
     /** @p sparsity is that of the finest level. */
     void

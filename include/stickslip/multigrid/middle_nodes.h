@@ -44,10 +44,10 @@ namespace StickSlip
     /** Middle nodes among those with @p stiff_volumes in these @p matrices that
      * are not nonsmooth; masked are only @p fixed components. @p n_coarse:
      * number of owned coarse nodes. */
-    template <typename Number>
-    MiddleNodes(const TransferMatrix                                 &transfer,
-                const unsigned int                                    n_coarse,
-                const std::vector<BlockMatrix<n_components, Number>> &matrices,
+    template <typename Matrix>
+    MiddleNodes(const TransferMatrix            &transfer,
+                const unsigned int               n_coarse,
+                const std::vector<Matrix>       &matrices,
                 const StiffVolumes              &stiff_volumes,
                 const NodeMask                  &fixed,
                 const std::vector<unsigned int> &nonsmooth_nodes);
@@ -66,21 +66,21 @@ namespace StickSlip
 
     /** Add to all rows of the product T^T S A S T what T + C makes of it, where
      * S sets the components masked by @p mask to zero. */
-    template <typename FineNumber, typename CoarseNumber>
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    add_to_product(const TransferMatrix                        &transfer,
-                   const BlockMatrix<n_components, FineNumber> &fine,
-                   const NodeMask                              &mask,
-                   BlockMatrix<n_components, CoarseNumber>     &coarse) const;
+    add_to_product(const TransferMatrix                    &transfer,
+                   const FineMatrix                        &fine,
+                   const NodeMask                          &mask,
+                   BlockMatrix<n_components, CoarseNumber> &coarse) const;
 
     /** Add this to some rows of the product only. */
-    template <typename FineNumber, typename CoarseNumber>
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    add_to_rows(const TransferMatrix                        &transfer,
-                const BlockMatrix<n_components, FineNumber> &fine,
-                const NodeMask                              &mask,
-                const std::vector<unsigned int>             &rows,
-                BlockMatrix<n_components, CoarseNumber>     &coarse) const;
+    add_to_rows(const TransferMatrix                    &transfer,
+                const FineMatrix                        &fine,
+                const NodeMask                          &mask,
+                const std::vector<unsigned int>         &rows,
+                BlockMatrix<n_components, CoarseNumber> &coarse) const;
 
     /** Bytes. */
     std::size_t
@@ -93,23 +93,23 @@ namespace StickSlip
     using BlockRow = std::vector<std::pair<unsigned int, Block>>;
 
     /** (A S T)_i, ascending by column. */
-    template <typename Number>
+    template <typename Matrix>
     static BlockRow
-    product_row(const TransferMatrix                    &transfer,
-                const BlockMatrix<n_components, Number> &matrix,
-                const NodeMask                          &mask,
-                const unsigned int                       i);
+    product_row(const TransferMatrix &transfer,
+                const Matrix         &matrix,
+                const NodeMask       &mask,
+                const unsigned int    i);
 
     /** Add the share of the middle node of number @p k, in the rows that @p
      * is_selected, or in all of them if that is empty. */
-    template <typename FineNumber, typename CoarseNumber>
+    template <typename FineMatrix, typename CoarseNumber>
     void
-    add_share(const unsigned int                           k,
-              const TransferMatrix                        &transfer,
-              const BlockMatrix<n_components, FineNumber> &fine,
-              const NodeMask                              &mask,
-              const std::vector<bool>                     &is_selected,
-              BlockMatrix<n_components, CoarseNumber>     &coarse) const;
+    add_share(const unsigned int                       k,
+              const TransferMatrix                    &transfer,
+              const FineMatrix                        &fine,
+              const NodeMask                          &mask,
+              const std::vector<bool>                 &is_selected,
+              BlockMatrix<n_components, CoarseNumber> &coarse) const;
 
     std::vector<unsigned int> nodes;
     /** C, row by row. */

@@ -35,15 +35,15 @@ namespace StickSlip
    * line of two. Nonsmooth nodes have no others beside them, since what couples
    * the jump of a fault to its other side is no mesh.
    *
-   * The lines depend on neither coefficients of the matrices nor truncation.
+   * The lines depend on neither coefficients of the matrices, which are
+   * BlockMatrix or TermMatrix, nor truncation.
    */
-  template <int n_components, typename Number>
+  template <typename Matrix>
   std::vector<NodeLine>
-  find_strong_lines(
-    const BlockSparsity                                  &sparsity,
-    const std::vector<BlockMatrix<n_components, Number>> &matrices,
-    const NodeMask                                       &fixed,
-    const std::vector<unsigned int>                      &nonsmooth_nodes);
+  find_strong_lines(const BlockSparsity             &sparsity,
+                    const std::vector<Matrix>       &matrices,
+                    const NodeMask                  &fixed,
+                    const std::vector<unsigned int> &nonsmooth_nodes);
 } // namespace StickSlip
 
 #endif

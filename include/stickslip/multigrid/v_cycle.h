@@ -97,7 +97,7 @@ namespace StickSlip
   std::unique_ptr<VCycle<n_components>>
   make_v_cycle(const CyclePrecision                               precision,
                const std::vector<LevelDescription<n_components>> &levels,
-               const std::vector<BlockMatrix<n_components>>      &terms);
+               const std::vector<TermMatrix<n_components>>       &terms);
 } // namespace StickSlip
 
 #endif

@@ -36,13 +36,12 @@ namespace StickSlip
    * A sample of the nodes tells if there are any. In three dimensions and out
    * of the plane nothing is looked for.
    */
-  template <int n_components, typename Number>
+  template <typename Matrix>
   StiffVolumes
-  find_stiff_volumes(
-    const BlockSparsity                                  &sparsity,
-    const std::vector<BlockMatrix<n_components, Number>> &matrices,
-    const NodeMask                                       &fixed,
-    const std::vector<unsigned int>                      &nonsmooth_nodes);
+  find_stiff_volumes(const BlockSparsity             &sparsity,
+                     const std::vector<Matrix>       &matrices,
+                     const NodeMask                  &fixed,
+                     const std::vector<unsigned int> &nonsmooth_nodes);
 
   /** The stiff volumes of the @p n_coarse owned nodes of the next coarser
    * level: of those from which a node with one is interpolated. */

@@ -64,7 +64,7 @@ namespace StickSlip
     }
 
     /** A term that it has, on the finest level in the jump basis. */
-    const BlockMatrix<n_components> &
+    const TermMatrix<n_components> &
     term(const Term term) const;
 
     /** Set the operator to a combination of M, C and K; what the equation does

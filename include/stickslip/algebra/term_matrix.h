@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_algebra_term_matrix_h
+#define stickslip_algebra_term_matrix_h
+
+#include <stickslip/algebra/block_matrix.h>
+
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * A term of an operator: a block matrix that does not change, with one number
+   * in place of each block in rows whose blocks are all multiples of the
+   * identity. A mass matrix in the jump basis has such rows alone, but next to
+   * nodes with axes of their own; a matrix with as few of them as a stiffness
+   * is stored as it is.
+   */
+  template <int n_components>
+  class TermMatrix
+  {
+  public:
+    static constexpr unsigned int block_size = n_components * n_components;
+
+    TermMatrix(BlockMatrix<n_components> matrix);
+
+    const BlockSparsity &
+    sparsity() const
+    {
+      return *shared_sparsity();
+    }
+
+    const std::shared_ptr<const BlockSparsity> &
+    shared_sparsity() const
+    {
+      return is_compact() ? numbers.shared_sparsity() :
+                            blocks.shared_sparsity();
+    }
+
+    unsigned int
+    n_rows() const
+    {
+      return sparsity().n_rows();
+    }
+
+    /** True if rows are stored with one number a block. */
+    bool
+    is_compact() const
+    {
+      return numbers.shared_sparsity() != nullptr;
+    }
+
+    /** The matrix, which must not be compact. */
+    const BlockMatrix<n_components> &
+    block_matrix() const;
+
+    /** The block at a position of a row. */
+    Tensor<2, n_components>
+    entry(const unsigned int row, const unsigned int position) const;
+
+    Tensor<2, n_components>
+    diagonal_block(const unsigned int row) const
+    {
+      return entry(row, sparsity().diagonal[row]);
+    }
+
+    /** The blocks of a row one after the other, as BlockMatrix has them;
+     * @p buffer is where they are written to if they are not stored. */
+    const double *
+    row(const unsigned int i, std::vector<double> &buffer) const;
+
+    /** y = A x. Collective among neighbours, like the next. */
+    void
+    vmult(NodalVector &y, const NodalVector &x) const;
+
+    /** r = b - A x. */
+    void
+    residual(NodalVector &r, const NodalVector &b, const NodalVector &x) const;
+
+    /** The rows begin <= i < end of @p target become those of
+     * sum_k coefficients[k] * terms[k]; all share one sparsity. */
+    static void
+    combine(const std::vector<double>     &coefficients,
+            const std::vector<TermMatrix> &terms,
+            const unsigned int             begin,
+            const unsigned int             end,
+            BlockMatrix<n_components>     &target);
+
+    /** Bytes of the values; the sparsity is shared. */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    /** The blocks of a row that is stored with them in a compact matrix; null
+     * for other rows. */
+    const double *
+    stored_blocks(const unsigned int i) const;
+
+    /** Empty if compact. */
+    BlockMatrix<n_components> blocks;
+
+    /** If compact: a number for each block, zero in rows with blocks; these
+     * rows, ascending, the positions of their first entries and their blocks.
+     */
+    BlockMatrix<1>            numbers;
+    std::vector<unsigned int> rows_with_blocks;
+    std::vector<std::size_t>  first_block;
+    std::vector<double>       blocks_of_rows;
+  };
+} // namespace StickSlip
+
+#endif
