@@ -101,8 +101,9 @@ namespace StickSlip::Tests
                    const NodalVector   &b,
                    NodalVector         &solution)
   {
-    const TNNMGParameters     parameters;
-    TNNMGSolver<dim>          solver(layers.problem.hierarchy(), parameters);
+    const TNNMGParameters parameters;
+    TNNMGSolver<dim>      solver(layers.problem.hierarchy(), parameters);
+    solver.find_correction_decrease();
     std::vector<unsigned int> counts;
     for (const Start start : all_starts)
       {

@@ -30,7 +30,8 @@ namespace
   {
     const TNNMGParameters parameters;
     TNNMGSolver<dim>      solver(layers.problem.hierarchy(), parameters);
-    const auto            J = [&]() {
+    solver.find_correction_decrease();
+    const auto J = [&]() {
       return Reference::functional(
         layers.problem.hierarchy().operators().matrix(), b, friction.terms, w);
     };

@@ -32,6 +32,7 @@ namespace
     const Friction<2> friction = slider.friction(kind, alpha);
     Solution          solution{slider.start(), {}};
     TNNMGSolver<2>    solver(slider.problem.hierarchy(), parameters);
+    solver.find_correction_decrease();
     solution.summary = solver.solve(*friction.functional, rhs, solution.w);
     return solution;
   }
@@ -192,6 +193,7 @@ TEST(ParallelSolve, SmootherDecreasesTheEnergyWhereProcessesGoTooFar)
   TNNMGParameters parameters;
   parameters.tolerance = 1e-12;
   TNNMGSolver<2> solver(crowd.hierarchy, parameters);
+  solver.find_correction_decrease();
   solver.start(b, w);
   double       shortest  = 1.;
   unsigned int iteration = 0;

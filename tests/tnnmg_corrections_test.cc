@@ -87,12 +87,18 @@ namespace
   class NoCorrection : public LinearCorrection<2>
   {
   public:
-    void
+    bool
     linearise(const std::vector<Tensor<2, 2>> &, const NodeMask &) override
-    {}
+    {
+      return false;
+    }
 
     unsigned int
-    solve(NodalVector &x, NodalVector &A_x, NodalVector &) override
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &,
+          const double,
+          const bool) override
     {
       x   = 0.;
       A_x = 0.;
@@ -180,6 +186,7 @@ TEST(Corrections, CondensedSolverFindsTheSameSolution)
       LevelHierarchy<2>    &hierarchy  = slider.problem.hierarchy();
       const TNNMGParameters parameters = tight();
       CondensedSolver<2>    solver(hierarchy.operators(), parameters);
+      solver.find_correction_decrease();
       for_all_cases(
         slider,
         [&](const NonsmoothFunctional<2> &functional,

@@ -96,6 +96,7 @@ namespace
 
     TNNMGParameters  parameters;
     TNNMGSolver<dim> solver(hierarchy, parameters);
+    solver.find_correction_decrease();
     w   = start;
     old = J(w);
     solver.start(b, w);

@@ -45,13 +45,13 @@ namespace Measure
 
 
   template <int dim>
-  void
+  bool
   AMGCorrection<dim>::linearise(const std::vector<Tensor<2, dim>> &new_hessians,
                                 const NodeMask                    &new_active)
   {
     cg.linearise(new_hessians, new_active);
     if (is_close(new_hessians, new_active))
-      return;
+      return false;
     version  = operators.version();
     active   = new_active;
     hessians = new_hessians;
@@ -62,13 +62,18 @@ namespace Measure
     });
     if (!is_set)
       throw SingularMatrix("the linearised matrix");
+    return false;
   }
 
 
 
   template <int dim>
   unsigned int
-  AMGCorrection<dim>::solve(NodalVector &x, NodalVector &A_x, NodalVector &r)
+  AMGCorrection<dim>::solve(NodalVector &x,
+                            NodalVector &A_x,
+                            NodalVector &r,
+                            const double,
+                            const bool)
   {
     constexpr unsigned int max_steps = 200;
     constexpr double       reduction = 1e-2;

@@ -27,14 +27,18 @@ namespace Measure
                   const TNNMGParameters          &parameters,
                   const std::vector<NodalVector> &near_null_space);
 
-    void
+    bool
     linearise(const std::vector<Tensor<2, dim>> &hessians,
               const NodeMask                    &active) override;
 
     /** Ends after 200 steps at the latest; what it has by then still is a
      * direction of descent. */
     unsigned int
-    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) override;
 
   private:
     /** True if the present cycles serve a linearisation. */

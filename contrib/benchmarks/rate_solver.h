@@ -31,12 +31,18 @@ namespace Measure
   class NoCorrection : public LinearCorrection<dim>
   {
   public:
-    void
+    bool
     linearise(const std::vector<Tensor<2, dim>> &, const NodeMask &) override
-    {}
+    {
+      return false;
+    }
 
     unsigned int
-    solve(NodalVector &x, NodalVector &A_x, NodalVector &) override
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &,
+          const double,
+          const bool) override
     {
       x   = 0.;
       A_x = 0.;

@@ -289,13 +289,25 @@ namespace StickSlip
 
 
   template <int n_components>
+  bool
+  CondensedSolver<n_components>::set_linearisation(
+    const std::vector<Tensor<2, n_components>> &new_hessians,
+    const NodeMask                             &new_active)
+  {
+    hessians = new_hessians;
+    active   = new_active;
+    return false;
+  }
+
+
+
+  template <int n_components>
   unsigned int
-  CondensedSolver<n_components>::correct(
-    const std::vector<Tensor<2, n_components>> &hessians,
-    const NodeMask                             &active,
-    NodalVector                                &x,
-    NodalVector                                &S_x,
-    NodalVector                                &r)
+  CondensedSolver<n_components>::correct(NodalVector &x,
+                                         NodalVector &S_x,
+                                         NodalVector &r,
+                                         const double,
+                                         const bool)
   {
     std::vector<bool> is_active(entries.size());
     for (unsigned int i = 0; i < entries.size(); ++i)

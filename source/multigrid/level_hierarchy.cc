@@ -81,26 +81,50 @@ namespace StickSlip
     const std::vector<Tensor<2, n_components>> &hessians,
     const NodeMask                             &new_active)
   {
+    const bool is_outdated = linearise_finest_level(hessians, new_active);
+    linearise_coarse_levels(Utilities::MPI::max(static_cast<int>(is_outdated),
+                                                finest().nodes.communicator()) >
+                            0);
+  }
+
+
+
+  template <int n_components>
+  bool
+  LevelHierarchy<n_components>::linearise_finest_level(
+    const std::vector<Tensor<2, n_components>> &hessians,
+    const NodeMask                             &new_active)
+  {
     const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
     AssertDimension(hessians.size(), nodes.size());
     take_over_operator();
     const bool is_same = is_linearised && hessians == current_hessians &&
                          new_active.is_equal(active, finest().nodes.n_owned());
-    if (on_all_processes(is_same))
-      return;
-    is_linearised    = false;
-    current_hessians = hessians;
-    active           = new_active;
+    is_linearised = false;
+    active        = new_active;
     active.update_ghosts(finest().nodes);
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      cycle->set_finest_diagonal(
-        nodes[k], A.matrix().diagonal_block(nodes[k]) + hessians[k], active);
-    // The coarsest level must be exact where it is the only one.
-    const double threshold = levels.size() > 1 ? coarse_update_threshold : 0.;
-    if (!on_all_processes(coarse_levels_set &&
-                          outdated_on_coarse_levels(threshold).empty()))
+    if (!is_same)
+      {
+        current_hessians = hessians;
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          cycle->set_finest_diagonal(nodes[k],
+                                     A.matrix().diagonal_block(nodes[k]) +
+                                       hessians[k],
+                                     active);
+      }
+    return !coarse_levels_set ||
+           !outdated_on_coarse_levels(update_threshold()).empty();
+  }
+
+
+
+  template <int n_components>
+  void
+  LevelHierarchy<n_components>::linearise_coarse_levels(const bool are_outdated)
+  {
+    if (are_outdated)
       // Smaller differences are not worth the rows around them.
-      linearise_coarse_levels(outdated_on_coarse_levels(0.02 * threshold));
+      form_coarse_levels(outdated_on_coarse_levels(0.02 * update_threshold()));
     is_linearised = true;
   }
 
@@ -124,7 +148,7 @@ namespace StickSlip
 
   template <int n_components>
   void
-  LevelHierarchy<n_components>::linearise_coarse_levels(
+  LevelHierarchy<n_components>::form_coarse_levels(
     const std::vector<unsigned int> &outdated)
   {
     const std::vector<unsigned int> &nodes = finest().nonsmooth_nodes;
@@ -196,16 +220,6 @@ namespace StickSlip
 
 
   template <int n_components>
-  bool
-  LevelHierarchy<n_components>::on_all_processes(const bool condition) const
-  {
-    return Utilities::MPI::min(static_cast<int>(condition),
-                               finest().nodes.communicator()) != 0;
-  }
-
-
-
-  template <int n_components>
   void
   LevelHierarchy<n_components>::vmult_linearised(NodalVector       &y,
                                                  const NodalVector &x) const
@@ -221,9 +235,20 @@ namespace StickSlip
   void
   LevelHierarchy<n_components>::v_cycle(NodalVector &x, const NodalVector &b)
   {
+    v_cycle(x, b, b.linfty_norm());
+  }
+
+
+
+  template <int n_components>
+  void
+  LevelHierarchy<n_components>::v_cycle(NodalVector       &x,
+                                        const NodalVector &b,
+                                        const double       size)
+  {
     Assert(is_linearised && version == A.version(),
            ExcMessage("linearise() comes first."));
-    cycle->vmult(x, b, active);
+    cycle->vmult(x, b, size, active);
   }
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
-
 #include <stickslip/algebra/local_products.h>
 #include <stickslip/multigrid/linearised_cg.h>
 
@@ -15,6 +13,7 @@ namespace StickSlip
     , direction(operators.unknowns().nodes.make_vector())
     , A_direction(direction)
     , preconditioned(direction)
+    , A_preconditioned(direction)
   {}
 
 
@@ -40,52 +39,44 @@ namespace StickSlip
                                     NodalVector          &A_x,
                                     NodalVector          &r)
   {
-    x                   = 0.;
-    A_x                 = 0.;
-    double       rz_old = 0., rz_small = 0.;
+    x                      = 0.;
+    A_x                    = 0.;
+    direction              = 0.;
+    A_direction            = 0.;
+    double       rz_before = 0., curvature = 0., rz_small = 0.;
     unsigned int steps = 0;
     while (steps < max_steps)
       {
         precondition(preconditioned, r);
         ++steps;
-        double rz = 0.;
+        A.matrix().vmult(A_preconditioned, preconditioned);
+        A.add_hessians(A_preconditioned, 1., hessians, preconditioned);
+        const auto [rz, square, mixed] =
+          sums<3>({{local_product(r, preconditioned),
+                    local_product(preconditioned, A_preconditioned),
+                    local_product(preconditioned, A_direction)}},
+                  r.get_mpi_communicator());
         if (steps == 1)
-          direction = preconditioned;
-        else
-          {
-            rz = r * preconditioned;
-            if (!(rz > rz_small))
-              break;
-            direction.sadd(rz / rz_old, 1., preconditioned);
-          }
-        A.matrix().vmult(A_direction, direction);
-        A.add_hessians(A_direction, 1., hessians, direction);
-        double curvature = local_product(direction, A_direction);
-        if (steps == 1)
-          {
-            // Both in one message: most corrections are of a single step.
-            const auto both =
-              sums<2>({{local_product(r, preconditioned), curvature}},
-                      r.get_mpi_communicator());
-            rz        = both[0];
-            curvature = both[1];
-            rz_small  = reduction * reduction * rz;
-            if (!(rz > 0.))
-              break;
-          }
-        else
-          curvature = Utilities::MPI::sum(curvature, r.get_mpi_communicator());
+          rz_small = reduction * reduction * rz;
+        if (!(rz > (steps == 1 ? 0. : rz_small)))
+          break;
+        const double beta = steps == 1 ? 0. : rz / rz_before;
+        curvature = square + 2. * beta * mixed + beta * beta * curvature;
         if (!(curvature > 0.))
           break;
+        direction.sadd(beta, 1., preconditioned);
+        A_direction.sadd(beta, 1., A_preconditioned);
         const double length = rz / curvature;
         x.add(length, direction);
         A_x.add(length, A_direction);
-        rz_old = rz;
+        rz_before = rz;
         // Nothing needs the residual of the last step.
         if (steps < max_steps)
           {
-            active.apply(A_direction);
-            r.add(-length, A_direction);
+            NodalVector &change = A_preconditioned;
+            change              = A_direction;
+            active.apply(change);
+            r.add(-length, change);
           }
       }
     // Until here the product is (A + H) x.

@@ -7,6 +7,7 @@
 #include <stickslip/multigrid/cycle_operators.h>
 #include <stickslip/multigrid/v_cycle.h>
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -46,6 +47,7 @@ namespace StickSlip
       void
       vmult(NodalVector       &x,
             const NodalVector &b,
+            const double       size,
             const NodeMask    &active) override;
 
       BlockMatrix<n_components>
@@ -195,19 +197,21 @@ namespace StickSlip
     void
     VCycleIn<n_components, Number>::vmult(NodalVector       &x,
                                           const NodalVector &b,
+                                          const double       size,
                                           const NodeMask    &active)
     {
       // Single precision has no room for numbers as small as 1e-40, which
-      // nothing forbids, so the right hand side is scaled.
+      // nothing forbids, so the right hand side is scaled: by a power of two,
+      // which changes no digit.
       double scale = 1.;
       if (std::is_same<Number, float>::value)
         {
-          scale = b.linfty_norm();
-          if (scale < std::numeric_limits<double>::min())
+          if (size < std::numeric_limits<double>::min())
             {
               x = 0.;
               return;
             }
+          scale = std::isfinite(size) ? std::exp2(std::ilogb(size)) : size;
         }
       const FlushToZero  flush;
       Level             &finest  = levels.back();

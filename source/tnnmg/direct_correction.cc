@@ -16,7 +16,7 @@ namespace StickSlip
 
 
   template <int n_components>
-  void
+  bool
   DirectCorrection<n_components>::linearise(
     const std::vector<Tensor<2, n_components>> &new_hessians,
     const NodeMask                             &new_active)
@@ -24,7 +24,7 @@ namespace StickSlip
     if (is_factorised && version == operators.version() &&
         hessians == new_hessians &&
         active.is_equal(new_active, operators.unknowns().nodes.n_owned()))
-      return;
+      return false;
     is_factorised = false;
     version       = operators.version();
     hessians      = new_hessians;
@@ -34,6 +34,7 @@ namespace StickSlip
                               factorisation->set_matrix(linearised, active);
                             });
     is_factorised = true;
+    return false;
   }
 
 
@@ -42,7 +43,9 @@ namespace StickSlip
   unsigned int
   DirectCorrection<n_components>::solve(NodalVector &x,
                                         NodalVector &A_x,
-                                        NodalVector &r)
+                                        NodalVector &r,
+                                        const double,
+                                        const bool)
   {
     factorisation->solve(x, r);
     active.apply(x);

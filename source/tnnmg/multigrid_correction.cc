@@ -32,13 +32,13 @@ namespace StickSlip
 
 
   template <int n_components>
-  void
+  bool
   MultigridCorrection<n_components>::linearise(
     const std::vector<Tensor<2, n_components>> &hessians,
     const NodeMask                             &active)
   {
     cg.linearise(hessians, active);
-    hierarchy.linearise(hessians, active);
+    return hierarchy.linearise_finest_level(hessians, active);
   }
 
 
@@ -47,19 +47,24 @@ namespace StickSlip
   unsigned int
   MultigridCorrection<n_components>::solve(NodalVector &x,
                                            NodalVector &A_x,
-                                           NodalVector &r)
+                                           NodalVector &r,
+                                           const double norm,
+                                           const bool   is_outdated)
   {
+    hierarchy.linearise_coarse_levels(is_outdated);
     const unsigned int n_cycles =
       n_solved++ < parameters.single_cycle_corrections ?
         1 :
         parameters.cycles_per_correction;
-    return cg.solve([&](NodalVector       &z,
-                        const NodalVector &b) { hierarchy.v_cycle(z, b); },
-                    n_cycles,
-                    /*reduction=*/0.,
-                    x,
-                    A_x,
-                    r);
+    return cg.solve(
+      [&](NodalVector &z, const NodalVector &b) {
+        hierarchy.v_cycle(z, b, norm);
+      },
+      n_cycles,
+      /*reduction=*/0.,
+      x,
+      A_x,
+      r);
   }
 
 

@@ -20,9 +20,9 @@ namespace StickSlip
     , residual(unknowns.nodes.make_vector())
     , previous(residual)
     , new_residual(residual)
+    , force(residual)
     , correction(residual)
     , A_correction(residual)
-    , scratch(residual)
   {}
 
 
@@ -98,83 +98,155 @@ namespace StickSlip
     previous = w;
 
     if (parameters.nonlinear_smoothing)
-      smooth(functional, b, w, summary);
+      sweep(functional, b, w, new_residual);
     else
       new_residual = residual;
 
-    NodalVector &force = scratch;
-    force              = new_residual;
-    subtract_gradient(functional, nodes, w, force);
-    diagonal_blocks.clear();
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      diagonal_blocks.push_back(diagonal_block(k));
-    active                         = unknowns.fixed;
-    const unsigned int n_truncated = linearise(functional,
-                                               nodes,
-                                               parameters,
-                                               diagonal_blocks,
-                                               w,
-                                               force,
-                                               hessians,
-                                               active);
+    // The quadratic part of J changes by -d . (r_old + r_new) / 2 over a change
+    // d of w, where r = b - A w. In one message with what the correction
+    // begins with, as if the smoother were good.
+    LinearProblem problem = truncate(functional, w);
+    NodalVector  &change  = correction;
+    change                = w;
+    change -= previous;
+    const auto [old_part, new_part, increase_of_all, square, n_outdated] =
+      sums<5>({{local_product(change, residual),
+                local_product(change, new_residual),
+                increase(functional, nodes, w, previous),
+                problem.square,
+                double(problem.is_outdated)}},
+              communicator);
+    problem.square            = square;
+    problem.is_outdated       = n_outdated > 0.;
+    summary.smoother_decrease = 0.5 * (old_part + new_part) - increase_of_all;
+
+    // The square of the change in the energy norm, d . A d = d . (r_old -
+    // r_new).
+    double smoothed = old_part - new_part;
+    if (residual.get_partitioner()->n_mpi_processes() > 1 &&
+        summary.smoother_decrease < 0. && std::isfinite(smoothed))
+      {
+        const double t =
+          shorten_smoothing(functional, old_part, new_part, w, summary);
+        smoothed *= t * t;
+        problem = agreed(truncate(functional, w));
+      }
 
     std::vector<BoundComponent> at_bound;
-    summary.cycles = find_correction(functional, w, force, at_bound);
+    summary.cycles = find_correction(functional, w, problem, at_bound);
 
-    // Everything that the line search begins with, in one message.
+    // Everything that the line search begins with, and the parts of the energy
+    // norms of the change of the whole iteration and of the iterate, in one
+    // message.
     const auto slope_here = [&](const double t) {
       return slope_of(functional, nodes, w, correction, t);
     };
-    const auto [linear, square, slope_at_start, slope_at_end, n_all] =
-      sums<5>({{local_product(correction, new_residual),
+    double             change_mixed = 0., iterate = 0.;
+    const unsigned int n = w.locally_owned_size();
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        change_mixed += (w.local_element(i) - previous.local_element(i)) *
+                        A_correction.local_element(i);
+        iterate += w.local_element(i) *
+                   (b.local_element(i) - new_residual.local_element(i));
+      }
+    const auto [linear,
+                curvature,
+                slope_at_start,
+                slope_at_end,
+                n_truncated,
+                change_mixed_of_all,
+                iterate_mixed,
+                iterate_of_all] =
+      sums<8>({{local_product(correction, new_residual),
                 local_product(correction, A_correction),
                 slope_here(0.),
                 slope_here(1.),
-                double(n_truncated)}},
+                double(problem.n_truncated),
+                change_mixed,
+                local_product(w, A_correction),
+                iterate}},
               communicator);
-    summary.n_truncated = std::lround(n_all);
-    const LineSearchResult line_search =
-      step_length_of(slope_here, slope_at_start, slope_at_end, linear, square);
+    summary.n_truncated                = std::lround(n_truncated);
+    const LineSearchResult line_search = step_length_of(
+      slope_here, slope_at_start, slope_at_end, linear, curvature);
     const double t                  = line_search.step_length;
     summary.step_length             = t;
     summary.line_search_evaluations = line_search.evaluations;
 
     // The condition is not only for speed: zero times NaN would spoil the
     // iterate.
-    double increase_here = 0.;
     if (t > 0.)
       {
-        NodalVector &smoothed = scratch;
-        smoothed              = w;
+        NodalVector &before = force;
+        before              = w;
         w.add(t, correction);
         project(functional, nodes, w);
         if (t == 1.)
           for (const BoundComponent &bound : at_bound)
             w.local_element(bound.node * n_components + bound.component) =
               bound.value;
-        increase_here = increase(functional, nodes, w, smoothed);
         new_residual.add(-t, A_correction);
+        if (with_correction_decrease)
+          summary.correction_decrease =
+            t * linear - 0.5 * t * t * curvature -
+            Utilities::MPI::sum(increase(functional, nodes, w, before),
+                                communicator);
       }
+    residual = new_residual;
 
-    // |d|^2 = d . A d = d . (r_old - r_new) for the change d of the whole
-    // iteration; positive but for rounding.
-    NodalVector &change = previous;
-    change.sadd(-1., 1., w);
-    residual -= new_residual;
-    const double change_here = local_product(change, residual);
-    residual                 = new_residual;
-    NodalVector &A_w         = scratch;
-    A_w                      = b;
-    A_w -= residual;
-    const auto [increase_of_all, change_of_all, iterate_of_all] =
-      sums<3>({{increase_here, change_here, local_product(w, A_w)}},
-              communicator);
-    if (t > 0.)
-      summary.correction_decrease =
-        t * linear - 0.5 * t * t * square - increase_of_all;
-    summary.correction_norm = std::sqrt(std::abs(change_of_all));
-    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
+    const auto norm_after = [&](const double before, const double mixed) {
+      return std::sqrt(
+        std::abs(before + (t > 0. ? 2. * t * mixed + t * t * curvature : 0.)));
+    };
+    summary.correction_norm = norm_after(smoothed, change_mixed_of_all);
+    summary.iterate_norm =
+      norm_after(square_of_rest + iterate_of_all, iterate_mixed);
     return summary;
+  }
+
+
+
+  template <int n_components>
+  typename NonsmoothSolver<n_components>::LinearProblem
+  NonsmoothSolver<n_components>::truncate(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &w)
+  {
+    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
+    force                                  = new_residual;
+    subtract_gradient(functional, nodes, w, force);
+    diagonal_blocks.clear();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      diagonal_blocks.push_back(diagonal_block(k));
+    active = unknowns.fixed;
+    LinearProblem result;
+    result.n_truncated = linearise(functional,
+                                   nodes,
+                                   parameters,
+                                   diagonal_blocks,
+                                   w,
+                                   force,
+                                   hessians,
+                                   active);
+    active.apply(force);
+    result.square      = local_product(force, force);
+    result.is_outdated = set_linearisation(hessians, active);
+    return result;
+  }
+
+
+
+  template <int n_components>
+  typename NonsmoothSolver<n_components>::LinearProblem
+  NonsmoothSolver<n_components>::agreed(LinearProblem here) const
+  {
+    const auto [square, n_outdated] =
+      sums<2>({{here.square, double(here.is_outdated)}},
+              unknowns.nodes.communicator());
+    here.square      = square;
+    here.is_outdated = n_outdated > 0.;
+    return here;
   }
 
 
@@ -184,17 +256,22 @@ namespace StickSlip
   NonsmoothSolver<n_components>::find_correction(
     const NonsmoothFunctional<n_components> &functional,
     const NodalVector                       &w,
-    NodalVector                             &force,
+    const LinearProblem                     &problem,
     std::vector<BoundComponent>             &at_bound)
   {
-    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
-    active.apply(force);
+    const std::vector<unsigned int> &nodes   = unknowns.nonsmooth_nodes;
+    const auto                       correct = [&](const LinearProblem &its) {
+      return this->correct(correction,
+                           A_correction,
+                           force,
+                           std::sqrt(its.square),
+                           its.is_outdated);
+    };
     if (!functional.has_bounds())
-      return correct(hessians, active, correction, A_correction, force);
+      return correct(problem);
 
     NodalVector  right_hand_side = force;
-    unsigned int cycles =
-      correct(hessians, active, correction, A_correction, force);
+    unsigned int cycles          = correct(problem);
     at_bound          = project_step(functional, nodes, w, correction);
     const auto on_any = [&](const bool condition) {
       return Utilities::MPI::max(int(condition), w.get_mpi_communicator()) > 0;
@@ -224,8 +301,11 @@ namespace StickSlip
             change[c];
       }
     active.apply(right_hand_side);
-    cycles +=
-      correct(hessians, active, correction, A_correction, right_hand_side);
+    force = right_hand_side;
+    LinearProblem rest;
+    rest.square      = local_product(force, force);
+    rest.is_outdated = set_linearisation(hessians, active);
+    cycles += correct(agreed(rest));
     correction += given;
     A_correction += A_given;
 
@@ -246,35 +326,20 @@ namespace StickSlip
 
 
   template <int n_components>
-  void
-  NonsmoothSolver<n_components>::smooth(
+  double
+  NonsmoothSolver<n_components>::shorten_smoothing(
     const NonsmoothFunctional<n_components> &functional,
-    const NodalVector                       &b,
+    const double                             old_part,
+    const double                             new_part,
     NodalVector                             &w,
     IterationSummary                        &summary)
   {
-    const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
-    sweep(functional, b, w, new_residual);
-
-    // The quadratic part of J changes by -d . (r_old + r_new) / 2 over a change
-    // d of w, where r = b - A w.
-    correction = w;
-    correction -= previous;
-    const MPI_Comm communicator = w.get_mpi_communicator();
-    const auto [old_part, new_part, increase_of_all] =
-      sums<3>({{local_product(correction, residual),
-                local_product(correction, new_residual),
-                increase(functional, nodes, w, previous)}},
-              communicator);
-    summary.smoother_decrease = 0.5 * (old_part + new_part) - increase_of_all;
-
-    // Processes that move neighbours at the same time may go too far together.
+    const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
+    const MPI_Comm                   communicator = w.get_mpi_communicator();
+    const NodalVector               &change       = correction;
     // A d = r_old - r_new.
-    if (residual.get_partitioner()->n_mpi_processes() == 1 ||
-        summary.smoother_decrease >= 0. || !std::isfinite(old_part + new_part))
-      return;
     const auto slope_here = [&](const double s) {
-      return slope_of(functional, nodes, previous, correction, s);
+      return slope_of(functional, nodes, previous, change, s);
     };
     const auto [slope_at_start, slope_at_end] =
       sums<2>({{slope_here(0.), slope_here(1.)}}, communicator);
@@ -286,13 +351,14 @@ namespace StickSlip
                        .step_length;
     summary.smoother_step_length = t;
     w                            = previous;
-    w.add(t, correction);
+    w.add(t, change);
     project(functional, nodes, w);
     new_residual.sadd(t, 1. - t, residual);
     summary.smoother_decrease =
       t * old_part - 0.5 * t * t * (old_part - new_part) -
       Utilities::MPI::sum(increase(functional, nodes, w, previous),
                           communicator);
+    return t;
   }
 
 

@@ -84,16 +84,25 @@ namespace StickSlip
 
 
   template <int n_components>
-  unsigned int
-  TNNMGSolver<n_components>::correct(
+  bool
+  TNNMGSolver<n_components>::set_linearisation(
     const std::vector<Tensor<2, n_components>> &hessians,
-    const NodeMask                             &active,
-    NodalVector                                &x,
-    NodalVector                                &A_x,
-    NodalVector                                &r)
+    const NodeMask                             &active)
   {
-    linear_correction->linearise(hessians, active);
-    return linear_correction->solve(x, A_x, r);
+    return linear_correction->linearise(hessians, active);
+  }
+
+
+
+  template <int n_components>
+  unsigned int
+  TNNMGSolver<n_components>::correct(NodalVector &x,
+                                     NodalVector &A_x,
+                                     NodalVector &r,
+                                     const double norm,
+                                     const bool   is_outdated)
+  {
+    return linear_correction->solve(x, A_x, r, norm, is_outdated);
   }
 
 

@@ -96,12 +96,16 @@ namespace StickSlip
     Tensor<2, n_components>
     diagonal_block(const unsigned int k) const override;
 
+    bool
+    set_linearisation(const std::vector<Tensor<2, n_components>> &hessians,
+                      const NodeMask &active) override;
+
     unsigned int
-    correct(const std::vector<Tensor<2, n_components>> &hessians,
-            const NodeMask                             &active,
-            NodalVector                                &x,
-            NodalVector                                &S_x,
-            NodalVector                                &r) override;
+    correct(NodalVector &x,
+            NodalVector &A_x,
+            NodalVector &r,
+            const double norm,
+            const bool   is_outdated) override;
 
     /** The entries of F in a vector of the nonsmooth nodes. */
     std::vector<double>
@@ -130,6 +134,10 @@ namespace StickSlip
     NodalVector base, load, scratch, bulk;
     /** Vectors of the nonsmooth nodes. */
     NodalVector g, z, z_of_base;
+
+    /** The linearisation that correct() is for. */
+    std::vector<Tensor<2, n_components>> hessians;
+    NodeMask                             active;
   };
 } // namespace StickSlip
 

@@ -58,6 +58,16 @@ namespace StickSlip
     linearise(const std::vector<Tensor<2, n_components>> &hessians,
               const NodeMask                             &active);
 
+    /** The parts of linearise(), between which processes agree: set H and S on
+     * the finest level, and return whether the coarse levels of this process
+     * are out of date; then update them if those of any process are. */
+    bool
+    linearise_finest_level(const std::vector<Tensor<2, n_components>> &hessians,
+                           const NodeMask                             &active);
+
+    void
+    linearise_coarse_levels(const bool are_outdated);
+
     /** The linearisation on the coarse levels; empty before the first. */
     KeptLinearisation<n_components>
     kept_linearisation() const;
@@ -67,9 +77,14 @@ namespace StickSlip
     void
     recall(const KeptLinearisation<n_components> &kept);
 
-    /** x = approximation of (S (A + H) S)^-1 b by one V-cycle, symmetric. */
+    /** x = approximation of (S (A + H) S)^-1 b by one V-cycle, symmetric.
+     * @p size: about that of the entries of b, on all processes; without it
+     * they look for the largest one. */
     void
     v_cycle(NodalVector &x, const NodalVector &b);
+
+    void
+    v_cycle(NodalVector &x, const NodalVector &b, const double size);
 
     /** y = S (A + H) S x for x = S x. */
     void
@@ -134,12 +149,16 @@ namespace StickSlip
     std::vector<unsigned int>
     outdated_on_coarse_levels(const double threshold) const;
 
+    /** The coarsest level must be exact where it is the only one. */
+    double
+    update_threshold() const
+    {
+      return levels.size() > 1 ? coarse_update_threshold : 0.;
+    }
+
     /** Bring these up to date there. */
     void
-    linearise_coarse_levels(const std::vector<unsigned int> &outdated);
-
-    bool
-    on_all_processes(const bool condition) const;
+    form_coarse_levels(const std::vector<unsigned int> &outdated);
 
     OperatorSum<n_components>                  &A;
     std::vector<LevelDescription<n_components>> levels;

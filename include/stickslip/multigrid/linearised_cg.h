@@ -13,7 +13,9 @@ namespace StickSlip
   /**
    * Preconditioned conjugate gradients from zero for S (A + H) S x = S r, see
    * LinearCorrection, that give the product A x along with x: A is applied to
-   * the directions anyway.
+   * directions anyway. As it is applied to what the preconditioner gives, and
+   * the product of the direction follows from that, a step takes one sum over
+   * processes (Chronopoulos and Gear 1989).
    */
   template <int n_components>
   class LinearisedCG
@@ -48,7 +50,7 @@ namespace StickSlip
     const OperatorSum<n_components>     &A;
     std::vector<Tensor<2, n_components>> hessians;
     NodeMask                             active;
-    NodalVector                          direction, A_direction, preconditioned;
+    NodalVector direction, A_direction, preconditioned, A_preconditioned;
   };
 } // namespace StickSlip
 

@@ -69,9 +69,13 @@ namespace StickSlip
       const NodeMask                               &active,
       const std::vector<std::vector<unsigned int>> &formed) = 0;
 
-    /** x = approximate solution, where only @p active components take part. */
+    /** x = approximate solution, where only @p active components take part;
+     * @p size: about that of the entries of b, the same on all processes. */
     virtual void
-    vmult(NodalVector &x, const NodalVector &b, const NodeMask &active) = 0;
+    vmult(NodalVector       &x,
+          const NodalVector &b,
+          const double       size,
+          const NodeMask    &active) = 0;
 
     /** The operator on a coarse level. */
     virtual BlockMatrix<n_components>

@@ -22,12 +22,16 @@ namespace StickSlip
       OperatorSum<n_components>                         &operators,
       std::unique_ptr<SparseFactorisation<n_components>> factorisation);
 
-    void
+    bool
     linearise(const std::vector<Tensor<2, n_components>> &hessians,
               const NodeMask                             &active) override;
 
     unsigned int
-    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) override;
 
   private:
     OperatorSum<n_components>                         &operators;

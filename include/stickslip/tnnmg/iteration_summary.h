@@ -15,7 +15,9 @@ namespace StickSlip
   struct IterationSummary
   {
     /** Decrease of the functional by the smoother and by the linear
-     * correction, not negative up to rounding. */
+     * correction, not negative up to rounding; the latter is zero unless
+     * somebody has asked for it, see
+     * NonsmoothSolver::find_correction_decrease(). */
     double smoother_decrease   = 0;
     double correction_decrease = 0;
 

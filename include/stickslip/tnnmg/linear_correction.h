@@ -18,7 +18,8 @@ namespace StickSlip
    * nonsmooth functional, block diagonal at the nonsmooth nodes, and S, which
    * sets the components that do not take part to zero.
    *
-   * All member functions are collective.
+   * All member functions are collective. What processes have to agree on comes
+   * from the caller, who has other sums to form.
    */
   template <int n_components>
   class LinearCorrection
@@ -37,20 +38,27 @@ namespace StickSlip
     /**
      * Set H, one block for each nonsmooth node of the finest level, and the
      * components that take part, of owned nodes (none of the fixed ones).
-     * Throws SingularMatrix; A is as before then.
+     * Returns whether this process has something to bring up to date in
+     * solve(). Throws SingularMatrix; A is as before then.
      */
-    virtual void
+    virtual bool
     linearise(const std::vector<Tensor<2, n_components>> &hessians,
               const NodeMask                             &active) = 0;
 
     /**
      * Find @p x and its product @p A_x with A alone, in all components of the
-     * owned nodes. @p r holds S r at first and is work space after that.
-     * Returns the multigrid cycles, applications of a preconditioner or direct
-     * solves spent.
+     * owned nodes. @p r holds S r at first, of @p norm on all processes, and is
+     * work space after that. @p is_outdated: what linearise() has returned on
+     * any process. Returns the multigrid cycles, applications of a
+     * preconditioner or direct solves spent. Throws SingularMatrix; A is as
+     * before then.
      */
     virtual unsigned int
-    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) = 0;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) = 0;
 
     /** Linearisations kept for later problems, see NonsmoothSolver. */
     virtual std::vector<KeptLinearisation<n_components>>

@@ -24,12 +24,16 @@ namespace StickSlip
     void
     start() override;
 
-    void
+    bool
     linearise(const std::vector<Tensor<2, n_components>> &hessians,
               const NodeMask                             &active) override;
 
     unsigned int
-    solve(NodalVector &x, NodalVector &A_x, NodalVector &r) override;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) override;
 
     std::vector<KeptLinearisation<n_components>>
     kept_linearisations() const override;

@@ -92,6 +92,15 @@ namespace StickSlip
     has_converged(const IterationSummary &last,
                   const IterationSummary *before = nullptr) const;
 
+    /** Let the iterations from now on find
+     * IterationSummary::correction_decrease, which takes one more sum over
+     * processes. */
+    void
+    find_correction_decrease()
+    {
+      with_correction_decrease = true;
+    }
+
   protected:
     /** The four steps, with vectors of the unknowns that iterations change,
      * from
@@ -116,14 +125,18 @@ namespace StickSlip
     virtual Tensor<2, n_components>
     diagonal_block(const unsigned int k) const = 0;
 
-    /** Step 3, see LinearCorrection: @p x from the right hand side @p r, and
-     * its product with A. Returns the cycles spent. */
+    /** Step 2, see LinearCorrection::linearise(). */
+    virtual bool
+    set_linearisation(const std::vector<Tensor<2, n_components>> &hessians,
+                      const NodeMask                             &active) = 0;
+
+    /** Step 3, see LinearCorrection::solve(). */
     virtual unsigned int
-    correct(const std::vector<Tensor<2, n_components>> &hessians,
-            const NodeMask                             &active,
-            NodalVector                                &x,
-            NodalVector                                &A_x,
-            NodalVector                                &r) = 0;
+    correct(NodalVector &x,
+            NodalVector &A_x,
+            NodalVector &r,
+            const double norm,
+            const bool   is_outdated) = 0;
 
     const Unknowns         unknowns;
     const TNNMGParameters &parameters;
@@ -136,20 +149,45 @@ namespace StickSlip
     double square_of_rest = 0;
 
   private:
-    /** Step 1, from the iterate in previous; J does not increase. */
-    void
-    smooth(const NonsmoothFunctional<n_components> &functional,
-           const NodalVector                       &b,
-           NodalVector                             &w,
-           IterationSummary                        &summary);
+    /** The linearised problem at an iterate with its new_residual, and what
+     * processes agree on: the right hand side, the negative gradient of J
+     * between active components, is in force. */
+    struct LinearProblem
+    {
+      /** Truncated components of this process. */
+      unsigned int n_truncated = 0;
+      /** The square of the norm of the right hand side, and whether the
+       * linearisation is to be brought up to date; of this process, or of
+       * all. */
+      double square      = 0.;
+      bool   is_outdated = false;
+    };
 
-    /** Step 3, to be followed from the iterate @p w, with its new_residual;
-     * @p force: the negative gradient of J there, overwritten. Returns the
-     * cycles spent, and gives the components that get to a bound. */
+    /** Step 2 at the iterate @p w, for this process. */
+    LinearProblem
+    truncate(const NonsmoothFunctional<n_components> &functional,
+             const NodalVector                       &w);
+
+    /** Let all processes agree on it. Collective. */
+    LinearProblem
+    agreed(LinearProblem here) const;
+
+    /** Shorten the change of the smoother, which goes from previous to @p w,
+     * with the products of its change with the residuals before and after it,
+     * so that J does not increase. Returns the part of it that is left. */
+    double
+    shorten_smoothing(const NonsmoothFunctional<n_components> &functional,
+                      const double                             old_part,
+                      const double                             new_part,
+                      NodalVector                             &w,
+                      IterationSummary                        &summary);
+
+    /** Step 3, to be followed from the iterate @p w. Returns the cycles spent,
+     * and gives the components that get to a bound. */
     unsigned int
     find_correction(const NonsmoothFunctional<n_components> &functional,
                     const NodalVector                       &w,
-                    NodalVector                             &force,
+                    const LinearProblem                     &problem,
                     std::vector<BoundComponent>             &at_bound);
 
     /** The length of a step along which the quadratic part of J has the slope
@@ -164,7 +202,9 @@ namespace StickSlip
 
     NodeMask                             active;
     std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
-    NodalVector previous, new_residual, correction, A_correction, scratch;
+    NodalVector previous, new_residual, force, correction, A_correction;
+
+    bool with_correction_decrease = false;
   };
 } // namespace StickSlip
 

@@ -69,12 +69,16 @@ namespace StickSlip
     Tensor<2, n_components>
     diagonal_block(const unsigned int k) const override;
 
+    bool
+    set_linearisation(const std::vector<Tensor<2, n_components>> &hessians,
+                      const NodeMask &active) override;
+
     unsigned int
-    correct(const std::vector<Tensor<2, n_components>> &hessians,
-            const NodeMask                             &active,
-            NodalVector                                &x,
-            NodalVector                                &A_x,
-            NodalVector                                &r) override;
+    correct(NodalVector &x,
+            NodalVector &A_x,
+            NodalVector &r,
+            const double norm,
+            const bool   is_outdated) override;
 
     const OperatorSum<n_components>                &operators;
     std::unique_ptr<LinearCorrection<n_components>> linear_correction;
