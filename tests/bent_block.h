@@ -206,7 +206,7 @@ namespace StickSlip::Tests
       Problem problem;
       problem.operators =
         std::make_unique<OperatorSum<dim>>(levels.back(),
-                                           std::vector<BlockMatrix<dim>>{A});
+                                           std::vector<TermMatrix<dim>>{A});
       problem.operators->combine({1.});
       problem.hierarchy =
         std::make_unique<LevelHierarchy<dim>>(*problem.operators,

@@ -129,7 +129,7 @@ namespace
         }
     }
 
-    static std::vector<BlockMatrix<1>>
+    static std::vector<TermMatrix<1>>
     terms(const unsigned int n)
     {
       const auto     sparsity = five_points(n);

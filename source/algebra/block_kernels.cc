@@ -137,6 +137,24 @@ namespace StickSlip
 
 
 
+    template <int n_components, typename Number>
+    void
+    add_numbers(const Number        factor,
+                const Number       *numbers,
+                const unsigned long n,
+                Number             *blocks)
+    {
+      for (unsigned long k = 0; k < n; ++k)
+        {
+          const Number value = factor * numbers[k];
+          for (int c = 0; c < n_components; ++c)
+            blocks[k * n_components * n_components + c * (n_components + 1)] +=
+              value;
+        }
+    }
+
+
+
     template <typename Number>
     void
     linear_combination(const unsigned int   n_terms,
@@ -145,7 +163,15 @@ namespace StickSlip
                        const unsigned long  size,
                        Number              *result)
     {
-      // The usual case, mass, damping and stiffness, in one pass.
+      // The usual cases in one pass: damping and stiffness, and mass as well.
+      if (n_terms == 2)
+        {
+          const Number  c0 = coefficients[0], c1 = coefficients[1];
+          const Number *t0 = terms[0], *t1 = terms[1];
+          for (unsigned long i = 0; i < size; ++i)
+            result[i] = c0 * t0[i] + c1 * t1[i];
+          return;
+        }
       if (n_terms == 3)
         {
           const Number c0 = coefficients[0], c1 = coefficients[1],
@@ -192,8 +218,12 @@ namespace StickSlip
     STICKSLIP_INSTANTIATE(3, double)
 #undef STICKSLIP_INSTANTIATE
 
-#define STICKSLIP_INSTANTIATE(n_components)             \
-  template void vmult_by_numbers<n_components, double>( \
+#define STICKSLIP_INSTANTIATE(n_components)                            \
+  template void add_numbers<n_components, double>(const double,        \
+                                                  const double *,      \
+                                                  const unsigned long, \
+                                                  double *);           \
+  template void vmult_by_numbers<n_components, double>(                \
     const BlockRows<double> &, const unsigned int, const double *, double *);
 
     STICKSLIP_INSTANTIATE(1)

@@ -32,7 +32,7 @@ namespace StickSlip
     current_coefficients = coefficients;
     versions.emplace(coefficients, versions.size() + 1);
     // Few rows at a time, so that their diagonals are read from the cache.
-    constexpr unsigned int n_rows = 512;
+    constexpr unsigned int n_rows = 128;
     for (unsigned int begin = 0; begin < A.n_rows(); begin += n_rows)
       {
         const unsigned int end = std::min(begin + n_rows, A.n_rows());

@@ -214,13 +214,13 @@ namespace StickSlip
         const TermMatrix &term = terms[t];
         if (!term.is_compact())
           continue;
-        const double a = coefficients[t];
-        for (unsigned int k = pattern.row_start[begin];
-             k < pattern.row_start[end];
-             ++k)
-          for (unsigned int c = 0; c < n_components; ++c)
-            target.block(k)[c * (n_components + 1)] +=
-              a * *term.numbers.block(k);
+        const double       a     = coefficients[t];
+        const unsigned int first = pattern.row_start[begin],
+                           last  = pattern.row_start[end];
+        Kernels::add_numbers<n_components>(a,
+                                           term.numbers.block(first),
+                                           last - first,
+                                           target.block(first));
         for (auto i = std::lower_bound(term.rows_with_blocks.begin(),
                                        term.rows_with_blocks.end(),
                                        begin);

@@ -69,6 +69,14 @@ namespace StickSlip
                          const Number            *b,
                          Number                  *x);
 
+    /** Add factor times the identity times a number to each of @p n blocks. */
+    template <int n_components, typename Number>
+    void
+    add_numbers(const Number        factor,
+                const Number       *numbers,
+                const unsigned long n,
+                Number             *blocks);
+
     /** result = sum_k coefficients[k] * terms[k], entry by entry. */
     template <typename Number>
     void
