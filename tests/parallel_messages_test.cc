@@ -13,7 +13,8 @@ namespace
   unsigned int n_sums = 0;
 }
 
-// All sums of this program come by here.
+// All sums of this program come by here; PETSc has a macro of this name.
+#undef MPI_Allreduce
 extern "C" int
 MPI_Allreduce(const void  *send,
               void        *receive,

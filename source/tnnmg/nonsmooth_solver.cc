@@ -105,31 +105,54 @@ namespace StickSlip
     // The quadratic part of J changes by -d . (r_old + r_new) / 2 over a change
     // d of w, where r = b - A w. In one message with what the correction
     // begins with, as if the smoother were good.
-    LinearProblem problem = truncate(functional, w);
+    LinearProblem problem = truncate(functional, b, w);
     NodalVector  &change  = correction;
     change                = w;
     change -= previous;
-    const auto [old_part, new_part, increase_of_all, square, n_outdated] =
-      sums<5>({{local_product(change, residual),
+    const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
+    const auto smoother_slope = [&](const double s) {
+      return is_shared ? slope_of(functional, nodes, previous, change, s) : 0.;
+    };
+    const auto [old_part,
+                new_part,
+                increase_of_all,
+                slope_before,
+                slope_after,
+                square,
+                iterate,
+                n_outdated] =
+      sums<8>({{local_product(change, residual),
                 local_product(change, new_residual),
                 increase(functional, nodes, w, previous),
+                smoother_slope(0.),
+                smoother_slope(1.),
                 problem.square,
+                problem.iterate,
                 double(problem.is_outdated)}},
               communicator);
     problem.square            = square;
+    problem.iterate           = iterate;
     problem.is_outdated       = n_outdated > 0.;
     summary.smoother_decrease = 0.5 * (old_part + new_part) - increase_of_all;
 
     // The square of the change in the energy norm, d . A d = d . (r_old -
     // r_new).
     double smoothed = old_part - new_part;
-    if (residual.get_partitioner()->n_mpi_processes() > 1 &&
-        summary.smoother_decrease < 0. && std::isfinite(smoothed))
+    // Processes that move neighbours at the same time may go too far together.
+    // Where rounding hides it in J, its slopes tell.
+    const double rounding = 1e-14 * std::abs(iterate);
+    if (is_shared && std::isfinite(smoothed) &&
+        (summary.smoother_decrease < -rounding ||
+         (summary.smoother_decrease < rounding &&
+          slope_after - new_part > old_part - slope_before)))
       {
-        const double t =
-          shorten_smoothing(functional, old_part, new_part, w, summary);
+        const double t = shorten_smoothing(functional,
+                                           {old_part, new_part},
+                                           {slope_before, slope_after},
+                                           w,
+                                           summary);
         smoothed *= t * t;
-        problem = agreed(truncate(functional, w));
+        problem = agreed(truncate(functional, b, w));
       }
 
     std::vector<BoundComponent> at_bound;
@@ -141,31 +164,25 @@ namespace StickSlip
     const auto slope_here = [&](const double t) {
       return slope_of(functional, nodes, w, correction, t);
     };
-    double             change_mixed = 0., iterate = 0.;
-    const unsigned int n = w.locally_owned_size();
+    double             change_mixed = 0.;
+    const unsigned int n            = w.locally_owned_size();
     for (unsigned int i = 0; i < n; ++i)
-      {
-        change_mixed += (w.local_element(i) - previous.local_element(i)) *
-                        A_correction.local_element(i);
-        iterate += w.local_element(i) *
-                   (b.local_element(i) - new_residual.local_element(i));
-      }
+      change_mixed += (w.local_element(i) - previous.local_element(i)) *
+                      A_correction.local_element(i);
     const auto [linear,
                 curvature,
                 slope_at_start,
                 slope_at_end,
                 n_truncated,
                 change_mixed_of_all,
-                iterate_mixed,
-                iterate_of_all] =
-      sums<8>({{local_product(correction, new_residual),
+                iterate_mixed] =
+      sums<7>({{local_product(correction, new_residual),
                 local_product(correction, A_correction),
                 slope_here(0.),
                 slope_here(1.),
                 double(problem.n_truncated),
                 change_mixed,
-                local_product(w, A_correction),
-                iterate}},
+                local_product(w, A_correction)}},
               communicator);
     summary.n_truncated                = std::lround(n_truncated);
     const LineSearchResult line_search = step_length_of(
@@ -201,7 +218,7 @@ namespace StickSlip
     };
     summary.correction_norm = norm_after(smoothed, change_mixed_of_all);
     summary.iterate_norm =
-      norm_after(square_of_rest + iterate_of_all, iterate_mixed);
+      norm_after(square_of_rest + problem.iterate, iterate_mixed);
     return summary;
   }
 
@@ -211,6 +228,7 @@ namespace StickSlip
   typename NonsmoothSolver<n_components>::LinearProblem
   NonsmoothSolver<n_components>::truncate(
     const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
     const NodalVector                       &w)
   {
     const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
@@ -230,8 +248,12 @@ namespace StickSlip
                                    hessians,
                                    active);
     active.apply(force);
-    result.square      = local_product(force, force);
-    result.is_outdated = set_linearisation(hessians, active);
+    result.square        = local_product(force, force);
+    result.is_outdated   = set_linearisation(hessians, active);
+    const unsigned int n = w.locally_owned_size();
+    for (unsigned int i = 0; i < n; ++i)
+      result.iterate += w.local_element(i) *
+                        (b.local_element(i) - new_residual.local_element(i));
     return result;
   }
 
@@ -241,10 +263,11 @@ namespace StickSlip
   typename NonsmoothSolver<n_components>::LinearProblem
   NonsmoothSolver<n_components>::agreed(LinearProblem here) const
   {
-    const auto [square, n_outdated] =
-      sums<2>({{here.square, double(here.is_outdated)}},
+    const auto [square, iterate, n_outdated] =
+      sums<3>({{here.square, here.iterate, double(here.is_outdated)}},
               unknowns.nodes.communicator());
     here.square      = square;
+    here.iterate     = iterate;
     here.is_outdated = n_outdated > 0.;
     return here;
   }
@@ -329,26 +352,26 @@ namespace StickSlip
   double
   NonsmoothSolver<n_components>::shorten_smoothing(
     const NonsmoothFunctional<n_components> &functional,
-    const double                             old_part,
-    const double                             new_part,
+    const std::pair<double, double>         &products,
+    const std::pair<double, double>         &slopes,
     NodalVector                             &w,
     IterationSummary                        &summary)
   {
     const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
     const MPI_Comm                   communicator = w.get_mpi_communicator();
     const NodalVector               &change       = correction;
+    const auto [old_part, new_part]               = products;
     // A d = r_old - r_new.
-    const auto slope_here = [&](const double s) {
-      return slope_of(functional, nodes, previous, change, s);
-    };
-    const auto [slope_at_start, slope_at_end] =
-      sums<2>({{slope_here(0.), slope_here(1.)}}, communicator);
-    const double t = step_length_of(slope_here,
-                                    slope_at_start,
-                                    slope_at_end,
-                                    old_part,
-                                    old_part - new_part)
-                       .step_length;
+    const double t =
+      step_length_of(
+        [&](const double s) {
+          return slope_of(functional, nodes, previous, change, s);
+        },
+        slopes.first,
+        slopes.second,
+        old_part,
+        old_part - new_part)
+        .step_length;
     summary.smoother_step_length = t;
     w                            = previous;
     w.add(t, change);

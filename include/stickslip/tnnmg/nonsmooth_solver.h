@@ -156,16 +156,18 @@ namespace StickSlip
     {
       /** Truncated components of this process. */
       unsigned int n_truncated = 0;
-      /** The square of the norm of the right hand side, and whether the
-       * linearisation is to be brought up to date; of this process, or of
-       * all. */
+      /** Of this process, or of all: the square of the norm of the right hand
+       * side, that of the energy norm of the iterate, and whether the
+       * linearisation is to be brought up to date. */
       double square      = 0.;
+      double iterate     = 0.;
       bool   is_outdated = false;
     };
 
     /** Step 2 at the iterate @p w, for this process. */
     LinearProblem
     truncate(const NonsmoothFunctional<n_components> &functional,
+             const NodalVector                       &b,
              const NodalVector                       &w);
 
     /** Let all processes agree on it. Collective. */
@@ -173,12 +175,13 @@ namespace StickSlip
     agreed(LinearProblem here) const;
 
     /** Shorten the change of the smoother, which goes from previous to @p w,
-     * with the products of its change with the residuals before and after it,
-     * so that J does not increase. Returns the part of it that is left. */
+     * so that J does not increase. @p products of the change with the residuals
+     * before and after it; @p slopes of phi along it, there as well. Returns
+     * the part of it that is left. */
     double
     shorten_smoothing(const NonsmoothFunctional<n_components> &functional,
-                      const double                             old_part,
-                      const double                             new_part,
+                      const std::pair<double, double>         &products,
+                      const std::pair<double, double>         &slopes,
                       NodalVector                             &w,
                       IterationSummary                        &summary);
 
