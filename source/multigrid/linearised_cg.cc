@@ -39,44 +39,55 @@ namespace StickSlip
                                     NodalVector          &A_x,
                                     NodalVector          &r)
   {
-    x                      = 0.;
-    A_x                    = 0.;
-    direction              = 0.;
-    A_direction            = 0.;
     double       rz_before = 0., curvature = 0., rz_small = 0.;
     unsigned int steps = 0;
     while (steps < max_steps)
       {
         precondition(preconditioned, r);
+        const bool is_first = steps == 0;
         ++steps;
         A.matrix().vmult(A_preconditioned, preconditioned);
         A.add_hessians(A_preconditioned, 1., hessians, preconditioned);
         const auto [rz, square, mixed] =
           sums<3>({{local_product(r, preconditioned),
                     local_product(preconditioned, A_preconditioned),
-                    local_product(preconditioned, A_direction)}},
+                    is_first ? 0. :
+                               local_product(preconditioned, A_direction)}},
                   r.get_mpi_communicator());
-        if (steps == 1)
+        if (is_first)
           rz_small = reduction * reduction * rz;
-        if (!(rz > (steps == 1 ? 0. : rz_small)))
-          break;
-        const double beta = steps == 1 ? 0. : rz / rz_before;
+        const double beta = is_first ? 0. : rz / rz_before;
         curvature = square + 2. * beta * mixed + beta * beta * curvature;
-        if (!(curvature > 0.))
-          break;
-        direction.sadd(beta, 1., preconditioned);
-        A_direction.sadd(beta, 1., A_preconditioned);
+        if (!(rz > (is_first ? 0. : rz_small)) || !(curvature > 0.))
+          {
+            if (is_first)
+              {
+                x   = 0.;
+                A_x = 0.;
+              }
+            break;
+          }
         const double length = rz / curvature;
-        x.add(length, direction);
-        A_x.add(length, A_direction);
+        if (is_first)
+          {
+            direction.swap(preconditioned);
+            A_direction.swap(A_preconditioned);
+            x.equ(length, direction);
+            A_x.equ(length, A_direction);
+          }
+        else
+          {
+            direction.sadd(beta, 1., preconditioned);
+            A_direction.sadd(beta, 1., A_preconditioned);
+            x.add(length, direction);
+            A_x.add(length, A_direction);
+          }
         rz_before = rz;
         // Nothing needs the residual of the last step.
         if (steps < max_steps)
           {
-            NodalVector &change = A_preconditioned;
-            change              = A_direction;
-            active.apply(change);
-            r.add(-length, change);
+            r.add(-length, A_direction);
+            active.apply(r);
           }
       }
     // Until here the product is (A + H) x.
