@@ -102,94 +102,101 @@ namespace StickSlip
     else
       new_residual = residual;
 
-    // The quadratic part of J changes by -d . (r_old + r_new) / 2 over a change
-    // d of w, where r = b - A w. In one message with what the correction
-    // begins with, as if the smoother were good.
-    LinearProblem problem = truncate(functional, b, w);
+    // The quadratic part of J changes by -d . r + d . A d / 2 over a change d
+    // of w, where r = b - A w, and A d is the change of -r. In one message with
+    // what the correction begins with, as if the smoother were good.
+    LinearProblem problem = truncate(functional, w);
     NodalVector  &change  = correction;
     change                = w;
     change -= previous;
+    const unsigned int n      = w.locally_owned_size();
+    double             square = 0., energy = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      square += change.local_element(i) *
+                (residual.local_element(i) - new_residual.local_element(i));
     const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
+    if (is_shared)
+      for (unsigned int i = 0; i < n; ++i)
+        energy += w.local_element(i) *
+                  (b.local_element(i) - new_residual.local_element(i));
     const auto smoother_slope = [&](const double s) {
       return is_shared ? slope_of(functional, nodes, previous, change, s) : 0.;
     };
-    const auto [old_part,
-                new_part,
+    const auto [downwards,
+                change_square,
                 increase_of_all,
                 slope_before,
                 slope_after,
-                square,
-                iterate,
+                energy_of_all,
+                square_of_problem,
                 n_outdated] =
       sums<8>({{local_product(change, residual),
-                local_product(change, new_residual),
+                square,
                 increase(functional, nodes, w, previous),
                 smoother_slope(0.),
                 smoother_slope(1.),
+                energy,
                 problem.square,
-                problem.iterate,
                 double(problem.is_outdated)}},
               communicator);
-    problem.square            = square;
-    problem.iterate           = iterate;
-    problem.is_outdated       = n_outdated > 0.;
-    summary.smoother_decrease = 0.5 * (old_part + new_part) - increase_of_all;
+    problem.square      = square_of_problem;
+    problem.is_outdated = n_outdated > 0.;
+    summary.smoother_decrease =
+      downwards - 0.5 * change_square - increase_of_all;
 
-    // The square of the change in the energy norm, d . A d = d . (r_old -
-    // r_new).
-    double smoothed = old_part - new_part;
     // Processes that move neighbours at the same time may go too far together.
     // Where rounding hides it in J, its slopes tell.
-    const double rounding = 1e-14 * std::abs(iterate);
-    if (is_shared && std::isfinite(smoothed) &&
+    const double rounding = 1e-14 * std::abs(energy_of_all);
+    if (is_shared && std::isfinite(change_square) &&
         (summary.smoother_decrease < -rounding ||
          (summary.smoother_decrease < rounding &&
-          slope_after - new_part > old_part - slope_before)))
+          slope_before + slope_after - 2. * downwards + change_square > 0.)))
       {
-        const double t = shorten_smoothing(functional,
-                                           {old_part, new_part},
-                                           {slope_before, slope_after},
-                                           w,
-                                           summary);
-        smoothed *= t * t;
-        problem = agreed(truncate(functional, b, w));
+        shorten_smoothing(functional,
+                          {downwards, change_square},
+                          {slope_before, slope_after},
+                          w,
+                          summary);
+        problem = agreed(truncate(functional, w));
       }
 
     std::vector<BoundComponent> at_bound;
     summary.cycles = find_correction(functional, w, problem, at_bound);
 
-    // Everything that the line search begins with, and the parts of the energy
-    // norms of the change of the whole iteration and of the iterate, in one
-    // message.
+    // Everything that the line search begins with, and the norms after a full
+    // step, in one message.
     const auto slope_here = [&](const double t) {
       return slope_of(functional, nodes, w, correction, t);
     };
-    double             change_mixed = 0.;
-    const unsigned int n            = w.locally_owned_size();
-    for (unsigned int i = 0; i < n; ++i)
-      change_mixed += (w.local_element(i) - previous.local_element(i)) *
-                      A_correction.local_element(i);
-    const auto [linear,
-                curvature,
-                slope_at_start,
-                slope_at_end,
-                n_truncated,
-                change_mixed_of_all,
-                iterate_mixed] =
-      sums<7>({{local_product(correction, new_residual),
-                local_product(correction, A_correction),
-                slope_here(0.),
-                slope_here(1.),
-                double(problem.n_truncated),
-                change_mixed,
-                local_product(w, A_correction)}},
-              communicator);
-    summary.n_truncated                = std::lround(n_truncated);
+    const std::array<double, 2> full = squares_after(b, w, 1.);
+    auto [linear,
+          curvature,
+          slope_at_start,
+          slope_at_end,
+          n_truncated,
+          change_of_all,
+          iterate_of_all] = sums<7>({{local_product(correction, new_residual),
+                                      local_product(correction, A_correction),
+                                      slope_here(0.),
+                                      slope_here(1.),
+                                      double(problem.n_truncated),
+                                      full[0],
+                                      full[1]}},
+                                    communicator);
+    summary.n_truncated   = std::lround(n_truncated);
     const LineSearchResult line_search = step_length_of(
       slope_here, slope_at_start, slope_at_end, linear, curvature);
     const double t                  = line_search.step_length;
     summary.step_length             = t;
     summary.line_search_evaluations = line_search.evaluations;
+    if (t != 1.)
+      {
+        const auto shorter = sums<2>(squares_after(b, w, t), communicator);
+        change_of_all      = shorter[0];
+        iterate_of_all     = shorter[1];
+      }
+    summary.correction_norm = std::sqrt(std::abs(change_of_all));
+    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
 
     // The condition is not only for speed: zero times NaN would spoil the
     // iterate.
@@ -211,14 +218,6 @@ namespace StickSlip
                                 communicator);
       }
     residual = new_residual;
-
-    const auto norm_after = [&](const double before, const double mixed) {
-      return std::sqrt(
-        std::abs(before + (t > 0. ? 2. * t * mixed + t * t * curvature : 0.)));
-    };
-    summary.correction_norm = norm_after(smoothed, change_mixed_of_all);
-    summary.iterate_norm =
-      norm_after(square_of_rest + problem.iterate, iterate_mixed);
     return summary;
   }
 
@@ -228,7 +227,6 @@ namespace StickSlip
   typename NonsmoothSolver<n_components>::LinearProblem
   NonsmoothSolver<n_components>::truncate(
     const NonsmoothFunctional<n_components> &functional,
-    const NodalVector                       &b,
     const NodalVector                       &w)
   {
     const std::vector<unsigned int> &nodes = unknowns.nonsmooth_nodes;
@@ -248,12 +246,8 @@ namespace StickSlip
                                    hessians,
                                    active);
     active.apply(force);
-    result.square        = local_product(force, force);
-    result.is_outdated   = set_linearisation(hessians, active);
-    const unsigned int n = w.locally_owned_size();
-    for (unsigned int i = 0; i < n; ++i)
-      result.iterate += w.local_element(i) *
-                        (b.local_element(i) - new_residual.local_element(i));
+    result.square      = local_product(force, force);
+    result.is_outdated = set_linearisation(hessians, active);
     return result;
   }
 
@@ -263,11 +257,10 @@ namespace StickSlip
   typename NonsmoothSolver<n_components>::LinearProblem
   NonsmoothSolver<n_components>::agreed(LinearProblem here) const
   {
-    const auto [square, iterate, n_outdated] =
-      sums<3>({{here.square, here.iterate, double(here.is_outdated)}},
+    const auto [square, n_outdated] =
+      sums<2>({{here.square, double(here.is_outdated)}},
               unknowns.nodes.communicator());
     here.square      = square;
-    here.iterate     = iterate;
     here.is_outdated = n_outdated > 0.;
     return here;
   }
@@ -349,10 +342,36 @@ namespace StickSlip
 
 
   template <int n_components>
-  double
+  std::array<double, 2>
+  NonsmoothSolver<n_components>::squares_after(const NodalVector &b,
+                                               const NodalVector &w,
+                                               const double       t) const
+  {
+    // A times the change is that of -r. Steps of length zero may be no numbers.
+    const unsigned int    n      = w.locally_owned_size();
+    std::array<double, 2> result = {{0., 0.}};
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double iterate = w.local_element(i), r = new_residual.local_element(i);
+        if (t > 0.)
+          {
+            iterate += t * correction.local_element(i);
+            r -= t * A_correction.local_element(i);
+          }
+        result[0] += (iterate - previous.local_element(i)) *
+                     (residual.local_element(i) - r);
+        result[1] += iterate * (b.local_element(i) - r);
+      }
+    return result;
+  }
+
+
+
+  template <int n_components>
+  void
   NonsmoothSolver<n_components>::shorten_smoothing(
     const NonsmoothFunctional<n_components> &functional,
-    const std::pair<double, double>         &products,
+    const std::pair<double, double>         &quadratic_part,
     const std::pair<double, double>         &slopes,
     NodalVector                             &w,
     IterationSummary                        &summary)
@@ -360,8 +379,7 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
     const MPI_Comm                   communicator = w.get_mpi_communicator();
     const NodalVector               &change       = correction;
-    const auto [old_part, new_part]               = products;
-    // A d = r_old - r_new.
+    const auto [downwards, square]                = quadratic_part;
     const double t =
       step_length_of(
         [&](const double s) {
@@ -369,8 +387,8 @@ namespace StickSlip
         },
         slopes.first,
         slopes.second,
-        old_part,
-        old_part - new_part)
+        downwards,
+        square)
         .step_length;
     summary.smoother_step_length = t;
     w                            = previous;
@@ -378,10 +396,9 @@ namespace StickSlip
     project(functional, nodes, w);
     new_residual.sadd(t, 1. - t, residual);
     summary.smoother_decrease =
-      t * old_part - 0.5 * t * t * (old_part - new_part) -
+      t * downwards - 0.5 * t * t * square -
       Utilities::MPI::sum(increase(functional, nodes, w, previous),
                           communicator);
-    return t;
   }
 
 

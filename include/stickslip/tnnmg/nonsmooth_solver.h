@@ -12,6 +12,9 @@
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 #include <stickslip/tnnmg/solver_parameters.h>
 
+#include <array>
+#include <utility>
+
 namespace StickSlip
 {
   /**
@@ -157,30 +160,35 @@ namespace StickSlip
       /** Truncated components of this process. */
       unsigned int n_truncated = 0;
       /** Of this process, or of all: the square of the norm of the right hand
-       * side, that of the energy norm of the iterate, and whether the
-       * linearisation is to be brought up to date. */
+       * side, and whether the linearisation is to be brought up to date. */
       double square      = 0.;
-      double iterate     = 0.;
       bool   is_outdated = false;
     };
 
     /** Step 2 at the iterate @p w, for this process. */
     LinearProblem
     truncate(const NonsmoothFunctional<n_components> &functional,
-             const NodalVector                       &b,
              const NodalVector                       &w);
 
     /** Let all processes agree on it. Collective. */
     LinearProblem
     agreed(LinearProblem here) const;
 
+    /** The squares of the energy norms of the change of the iterate from that
+     * in previous and of the new iterate, which is @p w plus @p t times the
+     * correction, without square_of_rest; of this process. */
+    std::array<double, 2>
+    squares_after(const NodalVector &b,
+                  const NodalVector &w,
+                  const double       t) const;
+
     /** Shorten the change of the smoother, which goes from previous to @p w,
-     * so that J does not increase. @p products of the change with the residuals
-     * before and after it; @p slopes of phi along it, there as well. Returns
-     * the part of it that is left. */
-    double
+     * so that J does not increase. @p quadratic_part: the products of the
+     * change with the residual before it and with A times itself; @p slopes of
+     * phi at both ends. Returns the part of it that is left. */
+    void
     shorten_smoothing(const NonsmoothFunctional<n_components> &functional,
-                      const std::pair<double, double>         &products,
+                      const std::pair<double, double>         &quadratic_part,
                       const std::pair<double, double>         &slopes,
                       NodalVector                             &w,
                       IterationSummary                        &summary);
