@@ -94,11 +94,13 @@ namespace
     // The Newmark step in the nodal basis, bodies apart.
     ElasticMatrices<2> matrices = assemble_elastic_matrices(level, materials);
     BlockMatrix<2>     A(matrices.mass.shared_sparsity());
-    A.combine({{2. / step_size, &matrices.mass},
-               {1., &matrices.damping},
-               {step_size / 2., &matrices.stiffness}},
-              0,
-              A.n_rows());
+    TermMatrix<2>::combine({2. / step_size, 1., step_size / 2.},
+                           {matrices.mass,
+                            matrices.damping,
+                            matrices.stiffness},
+                           0,
+                           A.n_rows(),
+                           A);
     NodalVector f = assemble_gravity(level, materials, scene.gravity_vector());
     NodalVector v = state.acceleration, product = v;
     v.add(2. / step_size, state.velocity);

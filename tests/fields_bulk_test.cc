@@ -47,15 +47,19 @@ namespace
 
 
   double
-  largest_difference(const BlockMatrix<2> &A, const BlockMatrix<2> &B)
+  largest_difference(const TermMatrix<2> &A, const TermMatrix<2> &B)
   {
-    double largest = 0, difference = 0;
-    for (unsigned int i = 0; i < A.values().size(); ++i)
-      {
-        largest = std::max<double>(largest, std::abs(A.values()[i]));
-        difference =
-          std::max<double>(difference, std::abs(A.values()[i] - B.values()[i]));
-      }
+    double               largest = 0, difference = 0;
+    const BlockSparsity &sparsity = A.sparsity();
+    for (unsigned int i = 0; i < A.n_rows(); ++i)
+      for (unsigned int k = sparsity.row_start[i];
+           k < sparsity.row_start[i + 1];
+           ++k)
+        {
+          largest    = std::max<double>(largest, A.entry(i, k).norm());
+          difference = std::max<double>(difference,
+                                        (A.entry(i, k) - B.entry(i, k)).norm());
+        }
     return difference / largest;
   }
 
@@ -64,9 +68,9 @@ namespace
   /** u . A u for the interpolation of a function u. */
   template <int dim, typename Function>
   double
-  twice_the_energy(const MeshLevel<dim>   &level,
-                   const BlockMatrix<dim> &A,
-                   const Function         &function)
+  twice_the_energy(const MeshLevel<dim>  &level,
+                   const TermMatrix<dim> &A,
+                   const Function        &function)
   {
     const NodalVector u =
       interpolate(level, [&](const unsigned int, const Point<dim> &x) {
@@ -261,7 +265,7 @@ namespace
     square.lateral_upper.fill(1.);
     const MeshHierarchy<2> meshes({square}, MPI_COMM_WORLD);
     const MeshLevel<2>    &level = meshes.finest();
-    const BlockMatrix<2>   K =
+    const TermMatrix<2>    K =
       assemble_elastic_matrices(
         level, {make_material("1e7*(2 + sin(2*x + 3*y))", "0.2 + 0.2*x*y")})
         .stiffness;
@@ -275,8 +279,8 @@ namespace
       });
     struct Operator
     {
-      const BlockMatrix<2> &K;
-      const NodalVector    &inside;
+      const TermMatrix<2> &K;
+      const NodalVector   &inside;
 
       void
       vmult(NodalVector &result, const NodalVector &u) const

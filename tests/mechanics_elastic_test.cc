@@ -81,7 +81,7 @@ namespace
 
   template <int dim>
   double
-  product(const NodalVector &u, const BlockMatrix<dim> &A, const NodalVector &v)
+  product(const NodalVector &u, const TermMatrix<dim> &A, const NodalVector &v)
   {
     NodalVector Av = v;
     A.vmult(Av, v);
@@ -90,13 +90,34 @@ namespace
 
 
 
+  /** Calls action(row, column, block). */
+  template <int dim, typename Action>
+  void
+  for_each_entry(const TermMatrix<dim> &A, const Action &action)
+  {
+    const BlockSparsity &sparsity = A.sparsity();
+    for (unsigned int i = 0; i < A.n_rows(); ++i)
+      for (unsigned int k = sparsity.row_start[i];
+           k < sparsity.row_start[i + 1];
+           ++k)
+        action(i, sparsity.column[k], A.entry(i, k));
+  }
+
+
+
   template <int dim>
   double
-  largest_entry(const BlockMatrix<dim> &A)
+  largest_entry(const TermMatrix<dim> &A)
   {
     double result = 0.;
-    for (const double value : A.values())
-      result = std::max(result, std::abs(value));
+    for_each_entry(A,
+                   [&](const unsigned int,
+                       const unsigned int,
+                       const Tensor<2, dim> &block) {
+                     for (unsigned int c = 0; c < dim; ++c)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         result = std::max(result, std::abs(block[c][d]));
+                   });
     return result;
   }
 
@@ -104,24 +125,20 @@ namespace
 
   template <int dim>
   void
-  expect_symmetric(const BlockMatrix<dim> &A)
+  expect_symmetric(const TermMatrix<dim> &A)
   {
-    const BlockSparsity &sparsity = A.sparsity();
-    double               defect   = 0.;
-    for (unsigned int i = 0; i < A.n_rows(); ++i)
-      for (unsigned int k = sparsity.row_start[i];
-           k < sparsity.row_start[i + 1];
-           ++k)
-        {
-          const double *block = A.block(k);
-          const double *transposed =
-            A.block(sparsity.position(sparsity.column[k], i));
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
-              defect = std::max(defect,
-                                std::abs(block[c * dim + d] -
-                                         transposed[d * dim + c]));
-        }
+    double defect = 0.;
+    for_each_entry(A,
+                   [&](const unsigned int    i,
+                       const unsigned int    j,
+                       const Tensor<2, dim> &block) {
+                     const Tensor<2, dim> other =
+                       A.entry(j, A.sparsity().position(j, i));
+                     for (unsigned int c = 0; c < dim; ++c)
+                       for (unsigned int d = 0; d < dim; ++d)
+                         defect = std::max(defect,
+                                           std::abs(block[c][d] - other[d][c]));
+                   });
     EXPECT_GT(largest_entry(A), 0.);
     EXPECT_LT(defect, 1e-14 * largest_entry(A));
   }
@@ -176,7 +193,7 @@ namespace
     const Scene<dim> scene = make_scene<dim>(strain);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       for (const auto &motion : rigid_motions<dim>())
-        for (const BlockMatrix<dim> *A :
+        for (const TermMatrix<dim> *A :
              {&scene.matrices.stiffness, &scene.matrices.damping})
           {
             const NodalVector r = scene.affine(b, motion.first, motion.second);

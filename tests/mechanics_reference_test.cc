@@ -110,7 +110,7 @@ namespace
      * the rows and columns of nodes that are not hanging. */
     double
     difference(const SparseMatrix<double> &expected,
-               const BlockMatrix<dim>     &matrix,
+               const TermMatrix<dim>      &matrix,
                const MeshLevel<dim>       &level,
                const unsigned int          body) const
     {
@@ -132,7 +132,7 @@ namespace
                   sparsity.column[k] - level.node(body, 0);
                 AssertIndexRange(column, dofs.n_dofs() / dim);
                 values[column * dim + d] =
-                  matrix.block(k)[place[i].second * dim + d];
+                  matrix.entry(row, k)[place[i].second][d];
               }
           for (auto entry = expected.begin(i); entry != expected.end(i);
                ++entry)
@@ -213,7 +213,7 @@ TEST(ElasticMatrices, HangingNodesHaveEmptyRowsAndColumns)
                       hanging ? 1. + c : 0.;
                 });
   EXPECT_GT(n_hanging, 0u);
-  for (const BlockMatrix<2> *A :
+  for (const TermMatrix<2> *A :
        {&matrices.mass, &matrices.damping, &matrices.stiffness})
     {
       A->vmult(product, hanging_nodes);

@@ -104,11 +104,11 @@ namespace
       assemble_elastic_matrices(meshes.finest(), materials);
     BlockMatrix<dim> matrix(terms.mass.shared_sparsity());
     constexpr double tau = 1e-3;
-    for (unsigned int k = 0; k < matrix.sparsity().n_entries(); ++k)
-      for (unsigned int e = 0; e < dim * dim; ++e)
-        matrix.block(k)[e] = 2. / tau * terms.mass.block(k)[e] +
-                             terms.damping.block(k)[e] +
-                             tau / 2. * terms.stiffness.block(k)[e];
+    TermMatrix<dim>::combine({2. / tau, 1., tau / 2.},
+                             {terms.mass, terms.damping, terms.stiffness},
+                             0,
+                             matrix.n_rows(),
+                             matrix);
     return matrix;
   }
 

@@ -74,6 +74,20 @@ namespace StickSlip
 
 
   template <int n_components>
+  TermMatrix<n_components>
+  TermMatrix<n_components>::of_numbers(BlockMatrix<1> numbers)
+  {
+    TermMatrix result;
+    if constexpr (n_components == 1)
+      result.blocks = std::move(numbers);
+    else
+      result.numbers = std::move(numbers);
+    return result;
+  }
+
+
+
+  template <int n_components>
   const BlockMatrix<n_components> &
   TermMatrix<n_components>::block_matrix() const
   {

@@ -241,12 +241,13 @@ namespace StickSlip
     bool       with_damping = false;
     for (unsigned int b = 0; b < materials.size(); ++b)
       with_damping |= !level.bodies[b]->is_rigid() && materials[b].is_viscous();
-    ElasticMatrices<n_components> result;
-    result.stiffness = BlockMatrix<n_components>(sparsity);
+    // Masses of all components are the same: a number a pair of nodes.
+    BlockMatrix<1>            masses;
+    BlockMatrix<n_components> stiffnesses(sparsity), dampings;
     if (with_mass)
-      result.mass = BlockMatrix<n_components>(sparsity);
+      masses = BlockMatrix<1>(sparsity);
     if (with_damping)
-      result.damping = BlockMatrix<n_components>(sparsity);
+      dampings = BlockMatrix<n_components>(sparsity);
     MaterialsOfCell<dim> at(materials);
     std::vector<Moduli>  moduli_at;
     for_each_cell(
@@ -275,7 +276,7 @@ namespace StickSlip
         for (unsigned int i = 0; i < rows.size(); ++i)
           for (unsigned int j = 0; j < rows.size(); ++j)
             {
-              double                  mass = 0;
+              Tensor<2, 1>            mass;
               Tensor<2, n_components> stiffness, damping;
               for (const unsigned int q : fe_values.quadrature_point_indices())
                 {
@@ -286,8 +287,8 @@ namespace StickSlip
                   stiffness +=
                     JxW * isotropic_block<n_components>(m.lambda, m.mu, gi, gj);
                   if (with_mass)
-                    mass += at[q].density * fe_values.shape_value(i, q) *
-                            fe_values.shape_value(j, q) * JxW;
+                    mass[0][0] += at[q].density * fe_values.shape_value(i, q) *
+                                  fe_values.shape_value(j, q) * JxW;
                   if (with_damping)
                     damping += JxW * isotropic_block<n_components>(
                                        m.viscous_lambda, m.eta, gi, gj);
@@ -300,16 +301,19 @@ namespace StickSlip
                   stiffness += mean_modulus.bulk * mean;
                   damping += mean_modulus.viscous * mean;
                 }
-              Tensor<2, n_components> mass_block;
-              for (unsigned int c = 0; c < n_components; ++c)
-                mass_block[c][c] = mass;
-              add(result.stiffness, rows[i], rows[j], stiffness);
+              add(stiffnesses, rows[i], rows[j], stiffness);
               if (with_mass)
-                add(result.mass, rows[i], rows[j], mass_block);
+                add(masses, rows[i], rows[j], mass);
               if (with_damping)
-                add(result.damping, rows[i], rows[j], damping);
+                add(dampings, rows[i], rows[j], damping);
             }
       });
+    ElasticMatrices<n_components> result;
+    result.stiffness = std::move(stiffnesses);
+    if (with_mass)
+      result.mass = TermMatrix<n_components>::of_numbers(std::move(masses));
+    if (with_damping)
+      result.damping = std::move(dampings);
     return result;
   }
 

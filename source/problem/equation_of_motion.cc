@@ -13,7 +13,7 @@ namespace StickSlip
     /** The sums of the rows of a matrix for the first component. */
     template <int n_components>
     std::vector<double>
-    row_sums(const BlockMatrix<n_components> &matrix)
+    row_sums(const TermMatrix<n_components> &matrix)
     {
       const BlockSparsity &sparsity = matrix.sparsity();
       std::vector<double>  sums(matrix.n_rows(), 0.);
@@ -21,7 +21,7 @@ namespace StickSlip
         for (unsigned int position = sparsity.row_start[row];
              position < sparsity.row_start[row + 1];
              ++position)
-          sums[row] += matrix.block(position)[0];
+          sums[row] += matrix.entry(row, position)[0][0];
       return sums;
     }
   } // namespace
@@ -29,7 +29,7 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  BlockMatrix<n_components> &
+  TermMatrix<n_components> &
   EquationOfMotion<dim, n_components>::matrix_of(
     ElasticMatrices<n_components> &matrices,
     const Term                     term)
@@ -145,10 +145,10 @@ namespace StickSlip
     std::vector<TermMatrix<n_components>> jump_terms;
     for (const Term term : terms)
       {
-        BlockMatrix<n_components>  in_jumps(product.coarse_sparsity());
-        BlockMatrix<n_components> &nodal = matrix_of(*nodal_terms, term);
+        BlockMatrix<n_components> in_jumps(product.coarse_sparsity());
+        TermMatrix<n_components> &nodal = matrix_of(*nodal_terms, term);
         product.compute(nodal, all, in_jumps);
-        nodal = BlockMatrix<n_components>();
+        nodal = TermMatrix<n_components>();
         rotation.transform(in_jumps);
         jump_terms.emplace_back(std::move(in_jumps));
       }

@@ -23,7 +23,14 @@ namespace StickSlip
   public:
     static constexpr unsigned int block_size = n_components * n_components;
 
+    /** No matrix. */
+    TermMatrix() = default;
+
     TermMatrix(BlockMatrix<n_components> matrix);
+
+    /** Each block is the identity times a number. */
+    static TermMatrix
+    of_numbers(BlockMatrix<1> numbers);
 
     const BlockSparsity &
     sparsity() const

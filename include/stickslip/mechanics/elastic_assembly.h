@@ -4,7 +4,7 @@
 #ifndef stickslip_mechanics_elastic_assembly_h
 #define stickslip_mechanics_elastic_assembly_h
 
-#include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/term_matrix.h>
 #include <stickslip/mechanics/boundary_condition.h>
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
@@ -25,11 +25,11 @@ namespace StickSlip
   {
     /** Consistent mass M, kg (per m in plane strain); no matrix at all if it
      * was not asked for. */
-    BlockMatrix<n_components> mass;
+    TermMatrix<n_components> mass;
     /** Viscous damping C, N s/m; no matrix at all if no body is viscous. */
-    BlockMatrix<n_components> damping;
+    TermMatrix<n_components> damping;
     /** Stiffness K, N/m. */
-    BlockMatrix<n_components> stiffness;
+    TermMatrix<n_components> stiffness;
   };
 
   /**

@@ -165,7 +165,7 @@ namespace StickSlip
 
   private:
     /** The matrix of a term; none where there is no such term. */
-    static BlockMatrix<n_components> &
+    static TermMatrix<n_components> &
     matrix_of(ElasticMatrices<n_components> &matrices, const Term term);
 
     /** Assemble the terms in the nodal basis. */
