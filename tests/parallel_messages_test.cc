@@ -37,6 +37,8 @@ using namespace StickSlip::Tests;
 // norms after a shorter step, and where the coarsest matrix changes.
 TEST(ParallelMessages, FourSumsInAnIteration)
 {
+  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    GTEST_SKIP() << "There are no sums on one process.";
   LayeredSlider   slider({{10, 2}}, {{14, 2}}, 4, MPI_COMM_WORLD, 1);
   TNNMGParameters parameters;
   parameters.tolerance                = 1e-10;
@@ -71,8 +73,5 @@ TEST(ParallelMessages, FourSumsInAnIteration)
           n_with_four += (n == 4);
         }
     }
-  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-    {
-      EXPECT_GE(2 * n_with_four, n_iterations);
-    }
+  EXPECT_GE(2 * n_with_four, n_iterations);
 }
