@@ -42,6 +42,7 @@ namespace StickSlip
   TermMatrix<n_components>::TermMatrix(BlockMatrix<n_components> matrix)
   {
     const BlockSparsity &sparsity = matrix.sparsity();
+    unsigned int         n_empty  = 0;
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
       if (!has_multiples_of_identity(matrix, i))
         {
@@ -49,8 +50,12 @@ namespace StickSlip
           if (rows_with_blocks.size() > largest_part * matrix.n_rows())
             break;
         }
-    if (n_components == 1 ||
-        rows_with_blocks.size() > largest_part * matrix.n_rows())
+      else if (matrix.diagonal_block(i)[0][0] == 0.)
+        ++n_empty;
+    // Rows without entries, which any matrix may have, say nothing, and a
+    // process may have none at all.
+    if (n_components == 1 || n_empty == matrix.n_rows() ||
+        rows_with_blocks.size() > largest_part * (matrix.n_rows() - n_empty))
       {
         rows_with_blocks = std::vector<unsigned int>();
         blocks           = std::move(matrix);
