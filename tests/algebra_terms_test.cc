@@ -59,8 +59,10 @@ TYPED_TEST(Terms, AreTheMatricesThatTheyAreMadeOf)
   constexpr unsigned int          n            = n_components * n_components;
   RandomProblem<n_components>     problem;
   const BlockMatrix<n_components> mass = with_multiples_of_identity(problem);
-  const TermMatrix<n_components>  compact(mass), full(problem.A);
-  const BlockSparsity            &sparsity = mass.sparsity();
+  const TermMatrix<n_components>  compact =
+                                   TermMatrix<n_components>::compact(mass),
+                                 full(problem.A);
+  const BlockSparsity &sparsity = mass.sparsity();
   ASSERT_EQ(compact.is_compact(), n_components > 1);
   EXPECT_FALSE(full.is_compact());
 
@@ -125,14 +127,21 @@ TYPED_TEST(Terms, AreCombinedAndMultipliedAsThese)
   for (const auto &[begin, end] : {std::make_pair(0u, 4u),
                                    std::make_pair(4u, 20u),
                                    std::make_pair(20u, mass.n_rows())})
-    TermMatrix<n_components>::combine(
-      {2., 3., -0.5}, {problem.A, mass, problem.A}, begin, end, ours);
+    TermMatrix<n_components>::combine({2., 3., -0.5},
+                                      {problem.A,
+                                       TermMatrix<n_components>::compact(mass),
+                                       problem.A},
+                                      begin,
+                                      end,
+                                      ours);
   expect_equal(ours, expected);
 
   GalerkinProduct<n_components> product = problem.product();
   BlockMatrix<n_components>     coarse(product.coarse_sparsity()),
     expected_coarse = coarse;
-  product.compute(TermMatrix<n_components>(mass), problem.mask, coarse);
+  product.compute(TermMatrix<n_components>::compact(mass),
+                  problem.mask,
+                  coarse);
   product.compute(mass, problem.mask, expected_coarse);
   expect_equal(coarse, expected_coarse);
 }

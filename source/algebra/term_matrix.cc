@@ -9,11 +9,6 @@ namespace StickSlip
 {
   namespace
   {
-    /** The largest part of the rows of a compact matrix that have blocks. */
-    constexpr double largest_part = 0.5;
-
-
-
     /** True if all blocks of a row are multiples of the identity, to the last
      * bit. */
     template <int n_components>
@@ -40,40 +35,38 @@ namespace StickSlip
 
   template <int n_components>
   TermMatrix<n_components>::TermMatrix(BlockMatrix<n_components> matrix)
+    : blocks(std::move(matrix))
+  {}
+
+
+
+  template <int n_components>
+  TermMatrix<n_components>
+  TermMatrix<n_components>::compact(const BlockMatrix<n_components> &matrix)
   {
+    if (n_components == 1)
+      return matrix;
     const BlockSparsity &sparsity = matrix.sparsity();
-    unsigned int         n_empty  = 0;
+    BlockMatrix<1>       numbers(matrix.shared_sparsity());
+    TermMatrix           result;
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
-      if (!has_multiples_of_identity(matrix, i))
-        {
-          rows_with_blocks.push_back(i);
-          if (rows_with_blocks.size() > largest_part * matrix.n_rows())
-            break;
-        }
-      else if (matrix.diagonal_block(i)[0][0] == 0.)
-        ++n_empty;
-    // Rows without entries, which any matrix may have, say nothing, and a
-    // process may have none at all.
-    if (n_components == 1 || n_empty == matrix.n_rows() ||
-        rows_with_blocks.size() > largest_part * (matrix.n_rows() - n_empty))
-      {
-        rows_with_blocks = std::vector<unsigned int>();
-        blocks           = std::move(matrix);
-        return;
-      }
-    numbers = BlockMatrix<1>(matrix.shared_sparsity());
-    for (std::size_t k = 0; k < sparsity.n_entries(); ++k)
-      *numbers.block(k) = *matrix.block(k);
-    for (const unsigned int i : rows_with_blocks)
       {
         const unsigned int begin = sparsity.row_start[i],
                            end   = sparsity.row_start[i + 1];
-        std::fill(numbers.block(begin), numbers.block(end), 0.);
-        first_block.push_back(blocks_of_rows.size());
-        blocks_of_rows.insert(blocks_of_rows.end(),
-                              matrix.block(begin),
-                              matrix.block(end));
+        if (has_multiples_of_identity(matrix, i))
+          {
+            for (unsigned int k = begin; k < end; ++k)
+              *numbers.block(k) = *matrix.block(k);
+            continue;
+          }
+        result.rows_with_blocks.push_back(i);
+        result.first_block.push_back(result.blocks_of_rows.size());
+        result.blocks_of_rows.insert(result.blocks_of_rows.end(),
+                                     matrix.block(begin),
+                                     matrix.block(end));
       }
+    result.numbers = std::move(numbers);
+    return result;
   }
 
 

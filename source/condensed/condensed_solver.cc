@@ -289,19 +289,6 @@ namespace StickSlip
 
 
   template <int n_components>
-  bool
-  CondensedSolver<n_components>::set_linearisation(
-    const std::vector<Tensor<2, n_components>> &new_hessians,
-    const NodeMask                             &new_active)
-  {
-    hessians = new_hessians;
-    active   = new_active;
-    return false;
-  }
-
-
-
-  template <int n_components>
   unsigned int
   CondensedSolver<n_components>::correct(NodalVector &x,
                                          NodalVector &S_x,
@@ -313,13 +300,13 @@ namespace StickSlip
     for (unsigned int i = 0; i < entries.size(); ++i)
       {
         const unsigned int position = entries.positions_at_nodes[i];
-        is_active[i] =
-          active.is_active(position / n_components, position % n_components);
+        is_active[i] = this->active.is_active(position / n_components,
+                                              position % n_components);
       }
     std::vector<double> direction;
     condensed_operators.front().condensed.solve_linearised(direction,
                                                            entries_of(r),
-                                                           hessians,
+                                                           this->hessians,
                                                            is_active);
     set_entries(x, direction);
     vmult(S_x, x);

@@ -150,7 +150,9 @@ namespace StickSlip
         product.compute(nodal, all, in_jumps);
         nodal = TermMatrix<n_components>();
         rotation.transform(in_jumps);
-        jump_terms.emplace_back(std::move(in_jumps));
+        jump_terms.push_back(term == mass ?
+                               TermMatrix<n_components>::compact(in_jumps) :
+                               std::move(in_jumps));
       }
     nodal_terms.reset();
     operator_sum =

@@ -109,17 +109,9 @@ namespace StickSlip
     NodalVector  &change  = correction;
     change                = w;
     change -= previous;
-    const unsigned int n      = w.locally_owned_size();
-    double             square = 0., energy = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      square += change.local_element(i) *
-                (residual.local_element(i) - new_residual.local_element(i));
     const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
-    if (is_shared)
-      for (unsigned int i = 0; i < n; ++i)
-        energy += w.local_element(i) *
-                  (b.local_element(i) - new_residual.local_element(i));
-    const auto smoother_slope = [&](const double s) {
+    const std::array<double, 2> smoothed       = squares_after(b, w, 0.);
+    const auto                  smoother_slope = [&](const double s) {
       return is_shared ? slope_of(functional, nodes, previous, change, s) : 0.;
     };
     const auto [downwards,
@@ -131,11 +123,11 @@ namespace StickSlip
                 square_of_problem,
                 n_outdated] =
       sums<8>({{local_product(change, residual),
-                square,
+                smoothed[0],
                 increase(functional, nodes, w, previous),
                 smoother_slope(0.),
                 smoother_slope(1.),
-                energy,
+                smoothed[1],
                 problem.square,
                 double(problem.is_outdated)}},
               communicator);
@@ -145,7 +137,7 @@ namespace StickSlip
       downwards - 0.5 * change_square - increase_of_all;
 
     // Processes that move neighbours at the same time may go too far together.
-    // Where rounding hides it in J, its slopes tell.
+    // Slopes of J tell of that where rounding hides it in J.
     const double rounding = 1e-14 * std::abs(energy_of_all);
     if (is_shared && std::isfinite(change_square) &&
         (summary.smoother_decrease < -rounding ||
@@ -247,7 +239,7 @@ namespace StickSlip
                                    active);
     active.apply(force);
     result.square      = local_product(force, force);
-    result.is_outdated = set_linearisation(hessians, active);
+    result.is_outdated = take_linearisation();
     return result;
   }
 
@@ -317,10 +309,10 @@ namespace StickSlip
             change[c];
       }
     active.apply(right_hand_side);
-    force = right_hand_side;
+    force.swap(right_hand_side);
     LinearProblem rest;
     rest.square      = local_product(force, force);
-    rest.is_outdated = set_linearisation(hessians, active);
+    rest.is_outdated = take_linearisation();
     cycles += correct(agreed(rest));
     correction += given;
     A_correction += A_given;

@@ -85,11 +85,9 @@ namespace StickSlip
 
   template <int n_components>
   bool
-  TNNMGSolver<n_components>::set_linearisation(
-    const std::vector<Tensor<2, n_components>> &hessians,
-    const NodeMask                             &active)
+  TNNMGSolver<n_components>::take_linearisation()
   {
-    return linear_correction->linearise(hessians, active);
+    return linear_correction->linearise(this->hessians, this->active);
   }
 
 

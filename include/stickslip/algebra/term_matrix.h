@@ -11,11 +11,10 @@
 namespace StickSlip
 {
   /**
-   * A term of an operator: a block matrix that does not change, with one number
-   * in place of each block in rows whose blocks are all multiples of the
-   * identity. A mass matrix in the jump basis has such rows alone, but next to
-   * nodes with axes of their own; a matrix with as few of them as a stiffness
-   * is stored as it is.
+   * A term of an operator: a block matrix that does not change, stored as it is
+   * or compact, with one number in place of each block in rows whose blocks are
+   * all multiples of the identity. A mass matrix in the jump basis has such
+   * rows alone, but next to nodes with axes of their own.
    */
   template <int n_components>
   class TermMatrix
@@ -26,9 +25,14 @@ namespace StickSlip
     /** No matrix. */
     TermMatrix() = default;
 
+    /** Stored as it is. */
     TermMatrix(BlockMatrix<n_components> matrix);
 
-    /** Each block is the identity times a number. */
+    /** Compact; blocks of one component are numbers anyway. */
+    static TermMatrix
+    compact(const BlockMatrix<n_components> &matrix);
+
+    /** Compact; each block is the identity times a number. */
     static TermMatrix
     of_numbers(BlockMatrix<1> numbers);
 

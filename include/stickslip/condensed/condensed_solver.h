@@ -96,10 +96,6 @@ namespace StickSlip
     Tensor<2, n_components>
     diagonal_block(const unsigned int k) const override;
 
-    bool
-    set_linearisation(const std::vector<Tensor<2, n_components>> &hessians,
-                      const NodeMask &active) override;
-
     unsigned int
     correct(NodalVector &x,
             NodalVector &A_x,
@@ -134,10 +130,6 @@ namespace StickSlip
     NodalVector base, load, scratch, bulk;
     /** Vectors of the nonsmooth nodes. */
     NodalVector g, z, z_of_base;
-
-    /** The linearisation that correct() is for. */
-    std::vector<Tensor<2, n_components>> hessians;
-    NodeMask                             active;
   };
 } // namespace StickSlip
 

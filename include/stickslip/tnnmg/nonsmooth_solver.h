@@ -128,10 +128,13 @@ namespace StickSlip
     virtual Tensor<2, n_components>
     diagonal_block(const unsigned int k) const = 0;
 
-    /** Step 2, see LinearCorrection::linearise(). */
+    /** Step 2: hessians and active are set. See LinearCorrection::linearise(),
+     * and correct() for what is returned. */
     virtual bool
-    set_linearisation(const std::vector<Tensor<2, n_components>> &hessians,
-                      const NodeMask                             &active) = 0;
+    take_linearisation()
+    {
+      return false;
+    }
 
     /** Step 3, see LinearCorrection::solve(). */
     virtual unsigned int
@@ -146,6 +149,11 @@ namespace StickSlip
 
     /** b - A w of the current iterate. */
     NodalVector residual;
+
+    /** The linearisation: second derivatives of phi at the nonsmooth nodes, and
+     * the components that take part. */
+    std::vector<Tensor<2, n_components>> hessians;
+    NodeMask                             active;
 
     /** The square of the energy norm of the unknowns that iterations leave
      * alone. */
@@ -211,8 +219,7 @@ namespace StickSlip
                    const double                         linear,
                    const double                         square) const;
 
-    NodeMask                             active;
-    std::vector<Tensor<2, n_components>> hessians, diagonal_blocks;
+    std::vector<Tensor<2, n_components>> diagonal_blocks;
     NodalVector previous, new_residual, force, correction, A_correction;
 
     bool with_correction_decrease = false;

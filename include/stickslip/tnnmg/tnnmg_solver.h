@@ -70,8 +70,7 @@ namespace StickSlip
     diagonal_block(const unsigned int k) const override;
 
     bool
-    set_linearisation(const std::vector<Tensor<2, n_components>> &hessians,
-                      const NodeMask &active) override;
+    take_linearisation() override;
 
     unsigned int
     correct(NodalVector &x,
