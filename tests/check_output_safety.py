@@ -153,12 +153,14 @@ def check_parameters_of_restart():
 
 
 def check_signals():
+    # Long enough to be under way when the signal comes.
+    scene = ["scene.prm", "--set", "Time/End time=100"]
     with Folder() as folder:
-        status, _, _ = folder.run("scene.prm")
+        status, _, _ = folder.run(*scene)
         whole = folder.table()
         for number in (signal.SIGHUP, signal.SIGTERM, signal.SIGINT):
             folder.output.rename(folder.path / number.name)
-            process = folder.start("scene.prm")
+            process = folder.start(*scene)
             folder.wait_for_rows(10)
             process.send_signal(number)
             output, errors = process.communicate()
@@ -167,7 +169,7 @@ def check_signals():
             expect(process.returncode == 130 and errors == ""
                    and (folder.output / "summary.txt").exists(),
                    f"{number.name}: {process.returncode} {errors}")
-            status, _, errors = folder.run("scene.prm", "--restart")
+            status, _, errors = folder.run(*scene, "--restart")
             expect(status == 0 and folder.table() == whole,
                    f"a restart after {number.name}: {status} {errors}")
 
