@@ -7,14 +7,12 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <stickslip/base/input_error.h>
-#include <stickslip/geometry/face_area.h>
 #include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/partial_mesh.h>
 #include <stickslip/mesh/refined_cells.h>
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 namespace StickSlip
 {
@@ -65,22 +63,6 @@ namespace StickSlip
             return;
           refine_flagged(mesh);
         }
-    }
-
-
-
-    /** The normal of a face away from the centre of its cell, as long as the
-     * face is large, m^(dim-1). */
-    template <int dim>
-    Tensor<1, dim>
-    outward_area(const typename Triangulation<dim>::face_iterator &face,
-                 const Point<dim>                                 &cell_centre)
-    {
-      std::array<Point<dim>, GeometryInfo<dim>::vertices_per_face> vertices;
-      for (const auto v : face->vertex_indices())
-        vertices[v] = face->vertex(v);
-      const Tensor<1, dim> area = face_area<dim>(vertices, face->n_vertices());
-      return area * (face->center() - cell_centre) > 0. ? area : -area;
     }
 
 
@@ -159,6 +141,7 @@ namespace StickSlip
               mesh = red_refinements.back()->mesh;
             }
           distribute_dofs();
+          bind_nodes();
           return;
         }
 
@@ -180,6 +163,7 @@ namespace StickSlip
       }
     mesh = refined;
     distribute_dofs();
+    bind_nodes();
   }
 
 
@@ -200,6 +184,7 @@ namespace StickSlip
         coarser_cells.erase(coarser_cells.begin());
         mesh = coarse_cells;
         distribute_dofs();
+        bind_nodes();
         return;
       }
 
@@ -210,6 +195,7 @@ namespace StickSlip
           mesh = red_refinements.empty() ? coarse_cells :
                                            red_refinements.back()->mesh;
           distribute_dofs();
+          bind_nodes();
           return;
         }
 
@@ -223,6 +209,72 @@ namespace StickSlip
       straighten_hanging_vertices(*refined);
     mesh = refined;
     distribute_dofs();
+    bind_nodes();
+  }
+
+
+
+  namespace
+  {
+    /** The degree of freedom at each vertex. */
+    template <int dim>
+    std::vector<types::global_dof_index>
+    dofs_of_vertices(const DoFHandler<dim> &dofs)
+    {
+      std::vector<types::global_dof_index> result(
+        dofs.get_triangulation().n_vertices(), numbers::invalid_dof_index);
+      for (const auto &cell : dofs.active_cell_iterators())
+        for (const auto v : cell->vertex_indices())
+          result[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BodyMesh<dim>::BodyMesh(const BodyMesh          &whole,
+                          const std::vector<bool> &is_kept)
+    : lateral_lower(whole.lateral_lower)
+    , period(whole.period)
+    , rigid(whole.rigid)
+  {
+    PartialMesh<dim> kept(*whole.mesh, is_kept);
+    mesh = kept.mesh;
+    distribute_dofs();
+
+    part        = Part();
+    part->whole = whole.figures();
+    part->cells = std::move(kept.cells);
+    part->dofs.resize(dofs->n_dofs());
+    const std::vector<types::global_dof_index> here = dofs_of_vertices(*dofs),
+                                               in_whole =
+                                                 dofs_of_vertices(*whole.dofs);
+    std::vector<types::global_dof_index> number(whole.dofs->n_dofs(),
+                                                numbers::invalid_dof_index);
+    for (unsigned int v = 0; v < here.size(); ++v)
+      {
+        const types::global_dof_index dof = in_whole[kept.vertices[v]];
+        part->dofs[here[v]]               = dof;
+        number[dof]                       = here[v];
+      }
+
+    for (const auto &line : whole.constraints.get_lines())
+      {
+        if (number[line.index] == numbers::invalid_dof_index)
+          continue;
+        const types::global_dof_index bound = number[line.index];
+        constraints.add_line(bound);
+        if (std::all_of(line.entries.begin(),
+                        line.entries.end(),
+                        [&](const auto &entry) {
+                          return number[entry.first] !=
+                                 numbers::invalid_dof_index;
+                        }))
+          for (const auto &entry : line.entries)
+            constraints.add_entry(bound, number[entry.first], entry.second);
+      }
+    constraints.close();
   }
 
 
@@ -266,39 +318,20 @@ namespace StickSlip
       dofs->distribute_dofs(FE_Q<dim>(1));
     else
       dofs->distribute_dofs(FE_SimplexP<dim>(1));
+  }
+
+
+
+  template <int dim>
+  void
+  BodyMesh<dim>::bind_nodes()
+  {
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
         DoFTools::make_periodicity_constraints(
           *dofs, 2 * axis + 1, 2 * axis, axis, constraints);
     constraints.close();
-  }
-
-
-
-  template <int dim>
-  std::pair<types::global_dof_index, std::array<int, dim - 1>>
-  BodyMesh<dim>::node_of_vertex(const types::global_dof_index dof,
-                                const Point<dim>             &vertex) const
-  {
-    std::array<int, dim - 1> wraps    = {};
-    bool                     is_image = false;
-    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-      if (period[axis] > 0 &&
-          vertex[axis] > lateral_lower[axis] + (1. - 1e-10) * period[axis])
-        {
-          wraps[axis] = 1;
-          is_image    = true;
-        }
-    if (!is_image)
-      return {dof, wraps};
-    const auto *entries = constraints.get_constraint_entries(dof);
-    AssertThrow(entries != nullptr, ExcInternalError());
-    // A hanging node's image: only its place on the other side is asked for
-    // here, and that has no node of its own.
-    if (entries->size() != 1)
-      return {dof, {}};
-    return {entries->front().first, wraps};
   }
 
 
@@ -341,99 +374,6 @@ namespace StickSlip
 
 
   template <int dim>
-  FaultSurface<dim>
-  BodyMesh<dim>::surface(const types::boundary_id side) const
-  {
-    constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_face;
-
-    struct Face
-    {
-      // Degrees of freedom, then positions in the surface.
-      std::array<types::global_dof_index, n_vertices>  dofs;
-      std::array<std::array<int, dim - 1>, n_vertices> wraps;
-      Tensor<1, dim>                                   outward;
-    };
-
-    std::map<types::global_dof_index, Point<dim>> nodes;
-    std::vector<Face>                             faces;
-    for (const auto &cell : dofs->active_cell_iterators())
-      if (cell->at_boundary())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && face->boundary_id() == side)
-            {
-              faces.emplace_back();
-              faces.back().outward = outward_area<dim>(face, cell->center());
-              faces.back().dofs.fill(numbers::invalid_dof_index);
-              for (unsigned int v = 0; v < face->n_vertices(); ++v)
-                {
-                  const auto [dof, wraps] =
-                    node_of_vertex(face->vertex_dof_index(v, 0),
-                                   face->vertex(v));
-                  Point<dim> position = face->vertex(v);
-                  for (unsigned int d = 0; d + 1 < dim; ++d)
-                    if (wraps[d] != 0)
-                      position[d] = lateral_lower[d];
-                  faces.back().dofs[v]  = dof;
-                  faces.back().wraps[v] = wraps;
-                  nodes[dof]            = position;
-                }
-            }
-
-    std::vector<std::pair<Point<dim>, types::global_dof_index>> sorted;
-    for (const auto &node : nodes)
-      sorted.emplace_back(node.second, node.first);
-    std::sort(sorted.begin(), sorted.end(), [](const auto &a, const auto &b) {
-      for (unsigned int d = 0; d < dim; ++d)
-        if (a.first[d] != b.first[d])
-          return a.first[d] < b.first[d];
-      return a.second < b.second;
-    });
-
-    FaultSurface<dim>                               surface;
-    std::map<types::global_dof_index, unsigned int> position;
-    for (const auto &node : sorted)
-      {
-        position[node.second] = surface.nodes.size();
-        surface.nodes.push_back(node.second);
-        surface.points.push_back(node.first);
-      }
-    for (Face &face : faces)
-      for (auto &dof : face.dofs)
-        if (dof != numbers::invalid_dof_index)
-          dof = position[dof];
-    std::sort(faces.begin(), faces.end(), [](const Face &a, const Face &b) {
-      return std::tie(a.dofs, a.wraps) < std::tie(b.dofs, b.wraps);
-    });
-    for (const Face &face : faces)
-      {
-        surface.faces.emplace_back();
-        // The invalid numbers of both types have all bits.
-        std::copy(face.dofs.begin(),
-                  face.dofs.end(),
-                  surface.faces.back().begin());
-        if (period.norm() > 0)
-          surface.wraps.push_back(face.wraps);
-      }
-    surface.period = period;
-    std::vector<Tensor<1, dim>> areas;
-    for (const Face &face : faces)
-      areas.push_back(face.outward);
-    surface.set_normals(areas);
-    return surface;
-  }
-
-
-
-  template <int dim>
-  std::vector<types::global_dof_index>
-  BodyMesh<dim>::dofs_on_side(const types::boundary_id side) const
-  {
-    return surface(side).nodes;
-  }
-
-
-
-  template <int dim>
   std::vector<Point<dim>>
   BodyMesh<dim>::node_positions() const
   {
@@ -447,11 +387,17 @@ namespace StickSlip
 
 
   template <int dim>
-  std::pair<double, double>
-  BodyMesh<dim>::cell_diameters() const
+  MeshFigures
+  BodyMesh<dim>::figures() const
   {
-    return {GridTools::minimal_cell_diameter(*mesh),
-            GridTools::maximal_cell_diameter(*mesh)};
+    if (part)
+      return part->whole;
+    MeshFigures result;
+    result.n_vertices = mesh->n_used_vertices();
+    result.n_cells    = mesh->n_active_cells();
+    result.smallest   = GridTools::minimal_cell_diameter(*mesh);
+    result.largest    = GridTools::maximal_cell_diameter(*mesh);
+    return result;
   }
 
 

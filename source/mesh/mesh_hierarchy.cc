@@ -312,6 +312,9 @@ namespace StickSlip
         wanted.compress();
         prolongations.emplace_back(levels[l + 1], levels[l], wanted);
       }
+    if (n_processes > 1)
+      for (MeshLevel<dim> &level : levels)
+        level.keep_own_cells();
     std::reverse(levels.begin(), levels.end());
     std::reverse(prolongations.begin(), prolongations.end());
   }

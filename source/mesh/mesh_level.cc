@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/algebra/index_set.h>
+#include <stickslip/base/checksum.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/mesh_level.h>
 
@@ -50,9 +51,16 @@ namespace StickSlip
     : bodies(bodies)
     , first_node{0}
     , global_numbers(node_owners.size())
+    , first_serial_cell{0}
+    , n_all_nodes(node_owners.size())
   {
     for (const auto &body : bodies)
-      first_node.push_back(first_node.back() + body->dof_handler().n_dofs());
+      {
+        first_node.push_back(first_node.back() + body->dof_handler().n_dofs());
+        first_serial_cell.push_back(first_serial_cell.back() +
+                                    body->triangulation().n_active_cells());
+      }
+    first_serial_node = first_node;
     AssertDimension(first_node.back(), node_owners.size());
 
     // Number by owner, and keep the order otherwise.
@@ -66,7 +74,21 @@ namespace StickSlip
     const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
     owned.add_range(next[me], next[me + 1]);
     for (types::global_dof_index i = 0; i < n_nodes(); ++i)
-      global_numbers[i] = next[node_owners[i]]++;
+      {
+        global_numbers[i] = next[node_owners[i]]++;
+        if (node_owners[i] == me)
+          serial_nodes.push_back(i);
+      }
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        for (const auto &line : bodies[b]->bound_nodes().get_lines())
+          for (const auto &master : line.entries)
+            bound_rows[first_node[b] + line.index].emplace_back(
+              global_node(b, master.first), master.second);
+        for (const Point<dim> &vertex :
+             bodies[b]->triangulation().get_vertices())
+          vertex_checksum = crc32(&vertex, sizeof(vertex), vertex_checksum);
+      }
 
     for (const Fault &fault : topology.faults())
       {
@@ -176,6 +198,53 @@ namespace StickSlip
 
 
   template <int dim>
+  void
+  MeshLevel<dim>::keep_own_cells()
+  {
+    std::vector<std::vector<bool>> is_kept;
+    for (const auto &body : bodies)
+      is_kept.emplace_back(body->triangulation().n_active_cells(), false);
+    for_each_cell(*this,
+                  [&](const unsigned int                          body,
+                      const auto                                 &cell,
+                      const std::vector<types::global_dof_index> &cell_nodes) {
+                    is_kept[body][cell->active_cell_index()] =
+                      cell->at_boundary() ||
+                      std::any_of(cell_nodes.begin(),
+                                  cell_nodes.end(),
+                                  [&](const types::global_dof_index node) {
+                                    return nodes.owned().is_element(node);
+                                  });
+                  });
+
+    std::vector<types::global_dof_index> first = {0}, numbers;
+    std::unordered_map<types::global_dof_index, GlobalRow> rows;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const auto part =
+          std::make_shared<const BodyMesh<dim>>(*bodies[b], is_kept[b]);
+        const types::global_dof_index n = part->dof_handler().n_dofs();
+        for (types::global_dof_index dof = 0; dof < n; ++dof)
+          {
+            const types::global_dof_index whole =
+              first_node[b] + part->whole_dof(dof);
+            if (const auto row = bound_rows.find(whole);
+                row != bound_rows.end())
+              rows.emplace(first.back() + dof, std::move(row->second));
+            numbers.push_back(global_numbers[whole]);
+          }
+        bodies[b] = part;
+        first.push_back(first.back() + n);
+      }
+    numbers.shrink_to_fit();
+    first_node     = std::move(first);
+    global_numbers = std::move(numbers);
+    bound_rows     = std::move(rows);
+  }
+
+
+
+  template <int dim>
   types::global_dof_index
   MeshLevel<dim>::global_node(const unsigned int            body,
                               const types::global_dof_index dof) const
@@ -196,18 +265,13 @@ namespace StickSlip
 
 
   template <int dim>
-  std::vector<std::pair<types::global_dof_index, double>>
+  GlobalRow
   MeshLevel<dim>::resolve(const unsigned int            body,
                           const types::global_dof_index dof) const
   {
-    const auto *masters =
-      bodies[body]->bound_nodes().get_constraint_entries(dof);
-    if (masters == nullptr)
+    if (!bodies[body]->bound_nodes().is_constrained(dof))
       return {{global_node(body, dof), 1.}};
-    std::vector<std::pair<types::global_dof_index, double>> row;
-    for (const auto &master : *masters)
-      row.emplace_back(global_node(body, master.first), master.second);
-    return row;
+    return bound_rows.at(first_node[body] + dof);
   }
 
 

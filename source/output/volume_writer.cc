@@ -5,9 +5,11 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <stickslip/algebra/serial_order.h>
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/output/volume_writer.h>
-#include <stickslip/output/vtu_file.h>
+
+#include <algorithm>
 
 namespace StickSlip
 {
@@ -31,65 +33,39 @@ namespace StickSlip
 
 
 
-    /** All bodies as one grid: the nodes of each, hanging ones included, in the
-     * order of its mesh, and its cells. */
+    /**
+     * The cells of all bodies that this process shows: those of whose nodes it
+     * owns the one with the least number, so that each cell has one process;
+     * and their points, hanging ones included.
+     */
     template <int dim>
-    struct VolumeGrid
+    class OwnVolume
     {
-      const MeshLevel<dim> &level;
-      VtuGrid               grid;
-
-      /** The first point of each body, and the number of all. */
-      std::vector<std::size_t> first_point = {0};
-
-      explicit VolumeGrid(const MeshLevel<dim> &level)
+    public:
+      explicit OwnVolume(const MeshLevel<dim> &level)
         : level(level)
       {
         for (const auto &body : level.bodies)
-          {
-            const DoFHandler<dim>          &dofs = body->dof_handler();
-            std::vector<Point<dim>>         points(dofs.n_dofs());
-            const std::vector<unsigned int> order =
-              vtk_order<dim>(dofs.get_fe().reference_cell());
-            for (const auto &cell : dofs.active_cell_iterators())
-              {
-                std::vector<std::int64_t> vertices;
-                for (const unsigned int v : order)
-                  {
-                    const auto dof = cell->vertex_dof_index(v, 0);
-                    points[dof]    = cell->vertex(v);
-                    vertices.push_back(first_point.back() + dof);
-                  }
-                grid.add_cell(dim, vertices);
-              }
-            for (const Point<dim> &point : points)
-              grid.add_point(point);
-            first_point.push_back(grid.n_points());
-          }
+          index_of_dof.emplace_back(body->dof_handler().n_dofs(),
+                                    numbers::invalid_unsigned_int);
+        for_each_cell([&](const unsigned int body, const auto &cell) {
+          cells.push_back(level.serial_cell(body, cell->active_cell_index()));
+          for (const auto v : cell->vertex_indices())
+            {
+              const auto    dof   = cell->vertex_dof_index(v, 0);
+              unsigned int &index = index_of_dof[body][dof];
+              if (index != numbers::invalid_unsigned_int)
+                continue;
+              index = points.size();
+              points.push_back(level.serial_node(body, dof));
+              for (unsigned int d = 0; d < dim; ++d)
+                positions.push_back(cell->vertex(v)[d]);
+              rows.push_back(level.resolve(body, dof));
+            }
+        });
       }
 
-      /** Vectors with three components at all points, from values of nodes;
-       * one component a node is that out of the plane. */
-      std::vector<double>
-      at_points(const std::vector<double> &nodal) const
-      {
-        const unsigned int  n_components = level.nodes.n_components();
-        const unsigned int  first        = (n_components == 1 ? 2 : 0);
-        std::vector<double> values(3 * grid.n_points());
-        for (unsigned int body = 0; body < level.bodies.size(); ++body)
-          for (std::size_t point = first_point[body];
-               point < first_point[body + 1];
-               ++point)
-            for (const auto &[node, factor] :
-                 level.resolve(body, point - first_point[body]))
-              for (unsigned int c = 0; c < n_components; ++c)
-                values[3 * point + first + c] +=
-                  factor * nodal[std::size_t(node) * n_components + c];
-        return values;
-      }
-
-      /** Call @p action with the number of each body and its cells, in the
-       * order of the grid. */
+      /** Call @p action with the number of each body and its cells. */
       template <typename Action>
       void
       for_each_cell(const Action &action) const
@@ -97,23 +73,121 @@ namespace StickSlip
         for (unsigned int body = 0; body < level.bodies.size(); ++body)
           for (const auto &cell :
                level.bodies[body]->dof_handler().active_cell_iterators())
-            action(body, cell);
+            if (is_own(body, cell))
+              action(body, cell);
       }
+
+      /** The place of a degree of freedom among the points. */
+      unsigned int
+      point(const unsigned int body, const types::global_dof_index dof) const
+      {
+        return index_of_dof[body][dof];
+      }
+
+      /** Vectors with three components at the points, from values of nodes;
+       * one component a node is that out of the plane. */
+      std::vector<double>
+      at_points(const NodalVector &nodal) const
+      {
+        update_ghosts(nodal);
+        const unsigned int  n_components = level.nodes.n_components();
+        const unsigned int  first        = (n_components == 1 ? 2 : 0);
+        std::vector<double> values(3 * points.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          for (const auto &[node, factor] : rows[i])
+            for (unsigned int c = 0; c < n_components; ++c)
+              values[3 * i + first + c] +=
+                factor *
+                nodal.local_element(level.nodes.local_index(node) *
+                                      n_components +
+                                    c);
+        return values;
+      }
+
+      /** The points of each cell in the order of VTK by their serial numbers;
+       * -1 stands for those that its shape has not. */
+      std::vector<std::int64_t>
+      connectivity() const
+      {
+        std::vector<std::int64_t> result;
+        for_each_cell([&](const unsigned int body, const auto &cell) {
+          const std::vector<unsigned int> order =
+            vtk_order<dim>(cell->reference_cell());
+          for (unsigned int v = 0; v < vertices_per_cell; ++v)
+            result.push_back(v < order.size() ?
+                               level.serial_node(
+                                 body, cell->vertex_dof_index(order[v], 0)) :
+                               -1);
+        });
+        return result;
+      }
+
+      static constexpr unsigned int vertices_per_cell =
+        GeometryInfo<dim>::vertices_per_cell;
+
+      const MeshLevel<dim> &level;
+
+      /** Serial numbers, and positions of the points, m. */
+      std::vector<types::global_dof_index> cells, points;
+      std::vector<double>                  positions;
+
+    private:
+      bool
+      is_own(const unsigned int                                     body,
+             const typename DoFHandler<dim>::active_cell_iterator &cell) const
+      {
+        types::global_dof_index least = numbers::invalid_dof_index;
+        for (const auto v : cell->vertex_indices())
+          for (const auto &master :
+               level.resolve(body, cell->vertex_dof_index(v, 0)))
+            least = std::min(least, master.first);
+        return level.nodes.owned().is_element(least);
+      }
+
+      std::vector<std::vector<unsigned int>> index_of_dof;
+      std::vector<GlobalRow>                 rows;
     };
+
+
+
+    /** The grid of all bodies on the first process, empty on the others. */
+    template <int dim>
+    VtuGrid
+    collect_grid(const OwnVolume<dim> &own,
+                 const SerialOrder    &points,
+                 const SerialOrder    &cells)
+    {
+      const std::vector<double> positions = points.gather(own.positions, dim);
+      const std::vector<std::int64_t> corners =
+        cells.gather(own.connectivity(), own.vertices_per_cell);
+      VtuGrid grid;
+      for (auto x = positions.begin(); x != positions.end(); x += dim)
+        {
+          Point<dim> point;
+          std::copy_n(x, dim, point.begin_raw());
+          grid.add_point(point);
+        }
+      for (auto first = corners.begin(); first != corners.end();
+           first += own.vertices_per_cell)
+        grid.add_cell(dim,
+                      {first,
+                       std::find(first, first + own.vertices_per_cell, -1)});
+      return grid;
+    }
 
 
 
     /** The strain of each cell's centre. @p displacement: of the points. */
     template <int dim>
     std::vector<SymmetricTensor<2, 3>>
-    cell_strains(const VolumeGrid<dim>     &points,
+    cell_strains(const OwnVolume<dim>      &own,
                  const std::vector<double> &displacement)
     {
       std::vector<SymmetricTensor<2, 3>>   strains;
       std::unique_ptr<FEValues<dim>>       at_centre;
       std::vector<types::global_dof_index> dofs;
       unsigned int                         last = numbers::invalid_unsigned_int;
-      points.for_each_cell([&](const unsigned int body, const auto &cell) {
+      own.for_each_cell([&](const unsigned int body, const auto &cell) {
         if (body != last)
           {
             const auto &fe = cell->get_fe();
@@ -130,9 +204,8 @@ namespace StickSlip
         for (unsigned int i = 0; i < dofs.size(); ++i)
           for (unsigned int c = 0; c < 3; ++c)
             for (unsigned int d = 0; d < dim; ++d)
-              gradient[c][d] +=
-                displacement[3 * (points.first_point[body] + dofs[i]) + c] *
-                at_centre->shape_grad(i, 0)[d];
+              gradient[c][d] += displacement[3 * own.point(body, dofs[i]) + c] *
+                                at_centre->shape_grad(i, 0)[d];
         strains.push_back(symmetrize(gradient));
       });
       return strains;
@@ -140,46 +213,15 @@ namespace StickSlip
 
 
 
-    /** Entries of tensors of the cells, each as numbers by the name with the
-     * axes: those that need not be zero. */
-    template <int dim>
-    void
-    add_tensors(VtuFile                                  &file,
-                const std::string                        &name,
-                const std::vector<SymmetricTensor<2, 3>> &tensors,
-                const std::string                        &units,
-                const bool                                out_of_plane)
-    {
-      const std::string axes = "xyz";
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int d = c; d < 3; ++d)
-          {
-            const bool in_axes = d < dim;
-            if (out_of_plane ? (in_axes || c == d) :
-                               !(in_axes || (c == d && name == "stress")))
-              continue;
-            std::vector<double> values;
-            values.reserve(tensors.size());
-            for (const SymmetricTensor<2, 3> &tensor : tensors)
-              values.push_back(tensor[c][d]);
-            file.add_cell_data(name + "_" + axes[c] + axes[d],
-                               1,
-                               values,
-                               units);
-          }
-    }
-
-
-
     /** Hooke's law for each cell. */
     template <int dim>
     std::vector<SymmetricTensor<2, 3>>
-    cell_stresses(const VolumeGrid<dim>                    &points,
+    cell_stresses(const OwnVolume<dim>                     &own,
                   const std::vector<SymmetricTensor<2, 3>> &strains,
                   const std::vector<VolumeMaterial<dim>>   &materials)
     {
       std::vector<SymmetricTensor<2, 3>> stresses;
-      points.for_each_cell([&](const unsigned int body, const auto &cell) {
+      own.for_each_cell([&](const unsigned int body, const auto &cell) {
         const SymmetricTensor<2, 3>    &strain = strains[stresses.size()];
         const std::pair<double, double> lame =
           materials[body].lame_parameters(cell->center());
@@ -192,100 +234,152 @@ namespace StickSlip
 
 
 
+    /** The fields of all cells. */
     template <int dim>
-    std::string
-    text_of_volume(const double                            time,
-                   const MeshLevel<dim>                   &level,
-                   const VolumeNodalValues                &nodal,
-                   const std::vector<VolumeMaterial<dim>> &materials,
-                   const std::vector<std::string>         &body_names,
-                   const std::vector<VolumeField>         &wanted)
+    class CellFields
     {
-      const VolumeGrid<dim> points(level);
-      VtuFile               file(points.grid, time, VtuFile::Precision::simple);
-      file.add_names("body_names", body_names);
+    public:
+      CellFields(const OwnVolume<dim>              &own,
+                 const SerialOrder                 &order,
+                 std::vector<VolumeContent::Field> &fields)
+        : own(own)
+        , order(order)
+        , fields(fields)
+      {}
 
-      std::vector<double> displacement;
-      if (!nodal.displacement.empty())
-        displacement = points.at_points(nodal.displacement);
-      if (has_field(wanted, VolumeField::displacement))
-        file.add_point_data("displacement", 3, displacement, "m");
-      if (has_field(wanted, VolumeField::velocity))
-        file.add_point_data("velocity",
-                            3,
-                            points.at_points(nodal.velocity),
-                            "m/s");
-      if (has_field(wanted, VolumeField::acceleration))
-        file.add_point_data("acceleration",
-                            3,
-                            points.at_points(nodal.acceleration),
-                            "m/s^2");
-
-      const bool with_stress = has_field(wanted, VolumeField::stress),
-                 with_strain = has_field(wanted, VolumeField::strain);
-      if (with_stress || with_strain)
-        {
-          const bool out_of_plane = level.nodes.n_components() == 1;
-          const std::vector<SymmetricTensor<2, 3>> strains =
-            cell_strains(points, displacement);
-          if (with_stress)
-            add_tensors<dim>(file,
-                             "stress",
-                             cell_stresses(points, strains, materials),
-                             "Pa",
-                             out_of_plane);
-          if (with_strain)
-            add_tensors<dim>(file, "strain", strains, "1", out_of_plane);
-        }
-      const auto add_numbers = [&](const std::string &name,
-                                   const std::string &units,
-                                   const auto        &value) {
+      /** The value of a function of the body and the centre of a cell. */
+      template <typename Value>
+      void
+      add(const std::string &name,
+          const std::string &units,
+          const Value       &value) const
+      {
         std::vector<double> values;
-        points.for_each_cell([&](const unsigned int body, const auto &cell) {
+        own.for_each_cell([&](const unsigned int body, const auto &cell) {
           values.push_back(value(body, cell->center()));
         });
-        file.add_cell_data(name, 1, values, units);
-      };
-      if (has_field(wanted, VolumeField::body))
-        add_numbers("body",
-                    "",
-                    [](const unsigned int body, const Point<dim> &) {
-                      return body;
-                    });
-      if (has_field(wanted, VolumeField::material))
-        for (unsigned int i = 0; i < materials[0].fields.size(); ++i)
-          add_numbers(materials[0].fields[i].name,
-                      materials[0].fields[i].units,
-                      [&](const unsigned int body, const Point<dim> &centre) {
-                        return materials[body].fields[i].value(centre);
-                      });
-      return file.text();
-    }
+        fields.push_back({name, 1, order.gather(values, 1), units});
+      }
+
+      /** Entries of tensors of the cells, each as numbers by the name with the
+       * axes: those that need not be zero. */
+      void
+      add_tensors(const std::string                        &name,
+                  const std::vector<SymmetricTensor<2, 3>> &tensors,
+                  const std::string                        &units) const
+      {
+        const bool        out_of_plane = own.level.nodes.n_components() == 1;
+        const std::string axes         = "xyz";
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = c; d < 3; ++d)
+            {
+              const bool in_axes = d < dim;
+              if (out_of_plane ? (in_axes || c == d) :
+                                 !(in_axes || (c == d && name == "stress")))
+                continue;
+              std::vector<double> values;
+              values.reserve(tensors.size());
+              for (const SymmetricTensor<2, 3> &tensor : tensors)
+                values.push_back(tensor[c][d]);
+              fields.push_back({name + "_" + axes[c] + axes[d],
+                                1,
+                                order.gather(values, 1),
+                                units});
+            }
+      }
+
+    private:
+      const OwnVolume<dim>              &own;
+      const SerialOrder                 &order;
+      std::vector<VolumeContent::Field> &fields;
+    };
   } // namespace
 
 
 
   template <int dim>
-  std::string
-  write_volume(const std::string                      &directory,
-               const unsigned int                      number,
-               const double                            time,
-               const MeshLevel<dim>                   &level,
-               const VolumeNodalValues                &values,
-               const std::vector<VolumeMaterial<dim>> &materials,
-               const std::vector<std::string>         &body_names,
-               const std::vector<VolumeField>         &fields)
+  VolumeContent
+  collect_volume(const MeshLevel<dim>                   &level,
+                 const VolumeState                      &state,
+                 const std::vector<VolumeMaterial<dim>> &materials,
+                 const std::vector<VolumeField>         &wanted)
   {
-    const std::string name =
-      "solution_" + Utilities::int_to_string(number, 5) + ".vtu";
-    write_file_atomically(
-      directory + "/" + name,
-      text_of_volume(time, level, values, materials, body_names, fields));
-    return name;
+    const OwnVolume<dim> own(level);
+    const MPI_Comm       communicator = level.nodes.communicator();
+    const SerialOrder points(own.points, level.n_nodes(), communicator),
+      cells(own.cells, level.n_cells(), communicator);
+
+    VolumeContent content;
+    content.grid = collect_grid(own, points, cells);
+
+    const auto add_vectors = [&](const std::string         &name,
+                                 const std::vector<double> &values,
+                                 const std::string         &units) {
+      content.of_points.push_back({name, 3, points.gather(values, 3), units});
+    };
+    const bool with_stress = has_field(wanted, VolumeField::stress),
+               with_strain = has_field(wanted, VolumeField::strain),
+               with_displacement =
+                 has_field(wanted, VolumeField::displacement);
+    std::vector<double> displacement;
+    if (with_displacement || with_stress || with_strain)
+      displacement = own.at_points(state.displacement);
+    if (with_displacement)
+      add_vectors("displacement", displacement, "m");
+    if (has_field(wanted, VolumeField::velocity))
+      add_vectors("velocity", own.at_points(state.velocity), "m/s");
+    if (has_field(wanted, VolumeField::acceleration))
+      add_vectors("acceleration", own.at_points(state.acceleration), "m/s^2");
+
+    const CellFields<dim> of_cells(own, cells, content.of_cells);
+    if (with_stress || with_strain)
+      {
+        const std::vector<SymmetricTensor<2, 3>> strains =
+          cell_strains(own, displacement);
+        if (with_stress)
+          of_cells.add_tensors("stress",
+                               cell_stresses(own, strains, materials),
+                               "Pa");
+        if (with_strain)
+          of_cells.add_tensors("strain", strains, "1");
+      }
+    if (has_field(wanted, VolumeField::body))
+      of_cells.add("body", "", [](const unsigned int body, const Point<dim> &) {
+        return body;
+      });
+    if (has_field(wanted, VolumeField::material))
+      for (unsigned int i = 0; i < materials[0].fields.size(); ++i)
+        of_cells.add(materials[0].fields[i].name,
+                     materials[0].fields[i].units,
+                     [&](const unsigned int body, const Point<dim> &centre) {
+                       return materials[body].fields[i].value(centre);
+                     });
+    return content;
   }
 
 
 
-  template decltype(write_volume<2>) write_volume<2>;
-  template decltype(write_volume<3>) write_volume<3>;
+  std::string
+  write_volume(const std::string              &directory,
+               const unsigned int              number,
+               const double                    time,
+               const VolumeContent            &content,
+               const std::vector<std::string> &body_names)
+  {
+    VtuFile file(content.grid, time, VtuFile::Precision::simple);
+    file.add_names("body_names", body_names);
+    for (const auto &[name, n_components, values, units] : content.of_points)
+      file.add_point_data(name, n_components, values, units);
+    for (const auto &[name, n_components, values, units] : content.of_cells)
+      file.add_cell_data(name, n_components, values, units);
+    const std::string file_name =
+      "solution_" + Utilities::int_to_string(number, 5) + ".vtu";
+    write_file_atomically(directory + "/" + file_name, file.text());
+    return file_name;
+  }
+
+
+
+  template decltype(collect_volume<2>) collect_volume<2>;
+  template decltype(collect_volume<3>) collect_volume<3>;
 } // namespace StickSlip

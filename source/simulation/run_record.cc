@@ -318,8 +318,13 @@ namespace StickSlip
     const bool fault_history = faults && scene.output.write_faults;
     const bool volume        = fields && scene.output.write_volume,
                surfaces      = fields && scene.output.write_fault_surfaces;
-    const VolumeNodalValues values =
-      volume ? gather_volume(state) : VolumeNodalValues();
+    VolumeContent content;
+    if (volume)
+      content = collect_volume(
+        space.meshes().finest(),
+        {state.displacement, state.velocity, state.acceleration},
+        volume_materials(scene),
+        scene.output.volume_fields);
     std::vector<std::vector<double>> station_values;
     if (at_stations)
       station_values =
@@ -362,7 +367,7 @@ namespace StickSlip
       if (fields)
         ++n_missed;
       if (volume)
-        write_volume_now(number, values);
+        write_volume_now(number, content);
       if (surfaces)
         write_surfaces_now(number);
       if (fields)
@@ -422,40 +427,17 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  VolumeNodalValues
-  RunRecord<dim, n_components>::gather_volume(
-    const SystemState<dim> &state) const
-  {
-    const std::vector<VolumeField> &fields = scene.output.volume_fields;
-    VolumeNodalValues               values;
-    if (has_field(fields, VolumeField::displacement) ||
-        has_field(fields, VolumeField::stress) ||
-        has_field(fields, VolumeField::strain))
-      values.displacement = gather_on_first(state.displacement);
-    if (has_field(fields, VolumeField::velocity))
-      values.velocity = gather_on_first(state.velocity);
-    if (has_field(fields, VolumeField::acceleration))
-      values.acceleration = gather_on_first(state.acceleration);
-    return values;
-  }
-
-
-
-  template <int dim, int n_components>
   void
   RunRecord<dim, n_components>::write_volume_now(
-    const unsigned int       number,
-    const VolumeNodalValues &values)
+    const unsigned int   number,
+    const VolumeContent &content)
   {
     files->volumes.add(last_step.time,
                        {write_volume(scene.output.directory,
                                      number,
                                      last_step.time,
-                                     space.meshes().finest(),
-                                     values,
-                                     volume_materials(scene),
-                                     names_of(scene.bodies),
-                                     scene.output.volume_fields)});
+                                     content,
+                                     names_of(scene.bodies))});
   }
 
 

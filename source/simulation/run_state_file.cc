@@ -11,6 +11,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <stickslip/algebra/serial_order.h>
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/checksum.h>
 #include <stickslip/base/input_error.h>
@@ -64,9 +65,7 @@ namespace StickSlip
       Header result;
       result.n_components = level.nodes.n_components();
       result.n_nodes      = level.n_nodes();
-      for (const auto &body : level.bodies)
-        for (const Point<dim> &vertex : body->triangulation().get_vertices())
-          result.checksum = crc32(&vertex, sizeof(vertex), result.checksum);
+      result.checksum     = level.checksum();
       return result;
     }
 
@@ -100,37 +99,19 @@ namespace StickSlip
 
 
 
-    /** Call @p action with the global numbers of all nodes, body after body in
-     * the order of their meshes. */
-    template <int dim, typename Action>
-    void
-    for_each_node(const MeshLevel<dim> &level, const Action &action)
-    {
-      for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        for (types::global_dof_index dof = 0;
-             dof < level.bodies[b]->dof_handler().n_dofs();
-             ++dof)
-          action(level.global_node(b, dof));
-    }
-
-
-
     /** The values of all nodes on the first process; none of an empty vector.
      */
-    template <int dim>
     std::vector<double>
-    in_order_of_meshes(const NodalVector &vector, const MeshLevel<dim> &level)
+    gather(const NodalVector  &vector,
+           const SerialOrder  &order,
+           const unsigned int  n_components)
     {
-      std::vector<double> result;
       if (vector.size() == 0)
-        return result;
-      const std::vector<double> values = gather_on_first(vector);
-      if (!values.empty())
-        for_each_node(level, [&](const types::global_dof_index node) {
-          for (unsigned int c = 0; c < level.nodes.n_components(); ++c)
-            result.push_back(values[node * level.nodes.n_components() + c]);
-        });
-      return result;
+        return {};
+      return order.gather(
+        std::vector<double>(vector.begin(),
+                            vector.begin() + vector.locally_owned_size()),
+        n_components);
     }
 
 
@@ -143,14 +124,12 @@ namespace StickSlip
       AssertThrow(values.size() == level.n_nodes() * n_components,
                   ExcDimensionMismatch(values.size(),
                                        level.n_nodes() * n_components));
-      NodalVector result   = level.nodes.make_vector();
-      auto        position = values.begin();
-      for_each_node(level, [&](const types::global_dof_index node) {
-        for (unsigned int c = 0; c < n_components; ++c, ++position)
-          if (level.nodes.owned().is_element(node))
-            result.local_element(level.nodes.local_index(node) * n_components +
-                                 c) = *position;
-      });
+      NodalVector result = level.nodes.make_vector();
+      auto        here   = result.begin();
+      for (const types::global_dof_index node : level.owned_serial_nodes())
+        here = std::copy_n(values.begin() + node * n_components,
+                           n_components,
+                           here);
       return result;
     }
   } // namespace
@@ -164,12 +143,15 @@ namespace StickSlip
                   const MeshLevel<dim>              &level,
                   const SceneEntries                &entries)
   {
+    const MPI_Comm    communicator = level.nodes.communicator();
+    const SerialOrder order(level.owned_serial_nodes(),
+                            level.n_nodes(),
+                            communicator);
     std::vector<std::vector<double>> vectors;
     RunState<dim, n_components>::for_each_vector(
       state, [&](const NodalVector &vector) {
-        vectors.push_back(in_order_of_meshes(vector, level));
+        vectors.push_back(gather(vector, order, n_components));
       });
-    const MPI_Comm communicator = level.nodes.communicator();
     const std::vector<std::vector<KeptLinearisation<n_components>>>
       linearisations =
         Utilities::MPI::gather(communicator, state.linearisations);

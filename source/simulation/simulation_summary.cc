@@ -17,20 +17,14 @@ namespace StickSlip
 {
   namespace
   {
-    struct MeshFigures
+    void
+    add_figures(const MeshFigures &mesh, RunSummary::Section &section)
     {
-      unsigned int n_vertices = 0, n_cells = 0;
-      double       smallest = std::numeric_limits<double>::max(), largest = 0;
-
-      void
-      add_to(RunSummary::Section &section) const
-      {
-        section.add_count("vertices", n_vertices);
-        section.add_count("cells", n_cells);
-        section.add("smallest cell diameter", smallest, "m");
-        section.add("largest cell diameter", largest, "m");
-      }
-    };
+      section.add_count("vertices", mesh.n_vertices);
+      section.add_count("cells", mesh.n_cells);
+      section.add("smallest cell diameter", mesh.smallest, "m");
+      section.add("largest cell diameter", mesh.largest, "m");
+    }
 
 
 
@@ -42,26 +36,21 @@ namespace StickSlip
                      const MeshHierarchy<dim>       &meshes,
                      const std::vector<std::string> &body_names)
     {
-      MeshFigures           all;
       const MeshLevel<dim> &finest = meshes.finest();
+      MeshFigures           all    = finest.bodies[0]->figures();
       for (unsigned int i = 0; i < finest.bodies.size(); ++i)
         {
-          const auto &mesh      = finest.bodies[i]->triangulation();
-          const auto  diameters = finest.bodies[i]->cell_diameters();
-          MeshFigures one;
-          one.n_vertices = mesh.n_used_vertices();
-          one.n_cells    = mesh.n_active_cells();
-          one.smallest   = diameters.first;
-          one.largest    = diameters.second;
-          one.add_to(summary.add_section("Mesh of body " + body_names[i]));
-
+          const MeshFigures one = finest.bodies[i]->figures();
+          add_figures(one, summary.add_section("Mesh of body " + body_names[i]));
+          if (i == 0)
+            continue;
           all.n_vertices += one.n_vertices;
           all.n_cells += one.n_cells;
           all.smallest = std::min(all.smallest, one.smallest);
           all.largest  = std::max(all.largest, one.largest);
         }
       RunSummary::Section &section = summary.add_section("Mesh of all bodies");
-      all.add_to(section);
+      add_figures(all, section);
       section.add_count("levels", meshes.n_levels());
     }
 

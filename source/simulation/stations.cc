@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/map.hpp>
+
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/geometry/place_finder.h>
@@ -78,6 +82,57 @@ namespace StickSlip
             columns.push_back(
               {title + "_" + number, unit, meaning + " " + number});
           }
+    }
+
+
+
+    /** A place in a body: values of nodes' basis functions there by global
+     * numbers; m. */
+    struct BodyPlace
+    {
+      std::map<types::global_dof_index, double> values;
+      double                                    distance = 0., size = 0.;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &values &distance &size;
+      }
+    };
+
+
+
+    /** The place of a point in the cells of all processes, or the one next to
+     * it. Collective. */
+    template <int dim>
+    BodyPlace
+    nearest_place(const MeshLevel<dim> &level,
+                  const unsigned int    body,
+                  const Point<dim>     &point)
+    {
+      const BodyMesh<dim> &mesh = *level.bodies[body];
+      const auto found = PlaceFinder<dim>(mesh.triangulation()).find(point);
+
+      std::map<unsigned int, types::global_dof_index> dof_of_vertex;
+      for (const auto &cell : mesh.dof_handler().active_cell_iterators())
+        for (const auto v : cell->vertex_indices())
+          dof_of_vertex[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
+      BodyPlace place;
+      for (const auto &[vertex, value] : found.values)
+        for (const auto &[node, factor] :
+             level.resolve(body, dof_of_vertex.at(vertex)))
+          place.values[node] += factor * value;
+      place.distance = found.distance;
+      place.size     = found.size;
+
+      const std::vector<BodyPlace> places =
+        Utilities::MPI::all_gather(level.nodes.communicator(), place);
+      return *std::min_element(places.begin(),
+                               places.end(),
+                               [](const auto &a, const auto &b) {
+                                 return a.distance < b.distance;
+                               });
     }
 
 
@@ -173,25 +228,14 @@ namespace StickSlip
                              const unsigned int    body,
                              const MeshLevel<dim> &level)
   {
-    const BodyMesh<dim> &mesh = *level.bodies[body];
-    const auto           place =
-      PlaceFinder<dim>(mesh.triangulation()).find(point_of<dim>(station));
+    const BodyPlace place =
+      nearest_place(level, body, point_of<dim>(station));
     refuse_outside(station, "body", place);
-
-    std::map<unsigned int, types::global_dof_index> dof_of_vertex;
-    for (const auto &cell : mesh.dof_handler().active_cell_iterators())
-      for (const auto v : cell->vertex_indices())
-        dof_of_vertex[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
-    std::map<types::global_dof_index, double> values;
-    for (const auto &[vertex, value] : place.values)
-      for (const auto &[node, factor] :
-           level.resolve(body, dof_of_vertex.at(vertex)))
-        values[node] += factor * value;
 
     for (unsigned int c = 0; c < n_components; ++c)
       {
         of_bodies.emplace_back();
-        for (const auto &[node, value] : values)
+        for (const auto &[node, value] : place.values)
           if (level.nodes.owned().is_element(node))
             of_bodies.back().emplace_back(
               level.nodes.local_index(node) * n_components + c, value);

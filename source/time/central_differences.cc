@@ -191,18 +191,13 @@ namespace StickSlip
     // Numbers without a pattern that do not depend on the processes, as those
     // of degrees of freedom do not.
     const MeshLevel<dim> &level = problem.meshes().finest();
-    double                n     = 0.;
-    for (unsigned int b = 0; b < level.bodies.size(); ++b)
-      for (types::global_dof_index dof = 0;
-           dof < level.bodies[b]->dof_handler().n_dofs();
-           ++dof)
-        for (unsigned int c = 0; c < n_components; ++c, ++n)
-          {
-            const auto node = level.global_node(b, dof);
-            if (level.nodes.owned().is_element(node))
-              x.local_element(level.nodes.local_index(node) * n_components +
-                              c) = std::sin(1.3 * n * n);
-          }
+    const auto           &serial = level.owned_serial_nodes();
+    for (unsigned int i = 0; i < serial.size(); ++i)
+      for (unsigned int c = 0; c < n_components; ++c)
+        {
+          const double n = double(serial[i]) * n_components + c;
+          x.local_element(i * n_components + c) = std::sin(1.3 * n * n);
+        }
     unknowns.fixed.apply(x);
     double limit = 0.;
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)

@@ -13,6 +13,7 @@
 #include <stickslip/mesh/red_refinement.h>
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -21,13 +22,22 @@ namespace StickSlip
   using namespace dealii;
 
   /**
+   * Numbers of vertices and active cells, and the smallest and largest diameter
+   * of a cell, m.
+   */
+  struct MeshFigures
+  {
+    unsigned int n_vertices = 0, n_cells = 0;
+    double       smallest = 0, largest = 0;
+  };
+
+  /**
    * One mesh of one body: the triangulation, the nodal basis of continuous
    * piecewise (multi)linear functions on it, one number a node, and the
    * constraints of the bound nodes: hanging ones, and those on the upper side
-   * along a periodic axis, which follow their images on the lower one. Every
-   * process has the whole mesh, with the same numbers of cells, vertices and
-   * degrees of freedom. Owners are found for all bodies together, see
-   * MeshHierarchy.
+   * along a periodic axis, which follow their images on the lower one. Owners
+   * are found for all bodies together, see MeshHierarchy, from whole meshes;
+   * after that a process keeps a part, which knows its numbers in the whole.
    *
    * Cells are trees of deal.II's, but for tetrahedra: these are refined as a
    * whole, each time into a mesh of its own, see RedRefinement.
@@ -53,6 +63,11 @@ namespace StickSlip
     /** The mesh in which every cell of @p finer that can be is coarsened; if
      * none can be, the next of CoarseBody::coarser_cells. */
     explicit BodyMesh(const BodyMesh &finer);
+
+    /** Some active cells of the mesh @p whole, those on its sides among them.
+     * Bound nodes whose masters are not all here have no entries in the
+     * constraints. Such a mesh is refined or coarsened no further. */
+    BodyMesh(const BodyMesh &whole, const std::vector<bool> &is_kept);
 
     /** True if the mesh is finer than the coarse cells. */
     bool
@@ -92,9 +107,23 @@ namespace StickSlip
     std::vector<Point<dim>>
     node_positions() const;
 
-    /** Smallest and largest diameter of a cell. */
-    std::pair<double, double>
-    cell_diameters() const;
+    /** Of the whole mesh also where only part of it is here. */
+    MeshFigures
+    figures() const;
+
+    /** The number of a degree of freedom in the whole mesh. */
+    types::global_dof_index
+    whole_dof(const types::global_dof_index dof) const
+    {
+      return part ? part->dofs[dof] : dof;
+    }
+
+    /** The number of an active cell in the whole mesh. */
+    unsigned int
+    whole_cell(const unsigned int cell) const
+    {
+      return part ? part->cells[cell] : cell;
+    }
 
     const Triangulation<dim> &
     triangulation() const
@@ -137,6 +166,9 @@ namespace StickSlip
     void
     distribute_dofs();
 
+    void
+    bind_nodes();
+
     /** The degree of freedom that stands for the vertex of a side and its
      * images, and how many periods the vertex lies from it. */
     std::pair<types::global_dof_index, std::array<int, dim - 1>>
@@ -147,6 +179,16 @@ namespace StickSlip
     std::array<double, dim - 1> lateral_lower;
     Tensor<1, dim - 1>          period;
     bool                        rigid;
+
+    /** Numbers in the whole mesh, if only part of it is here. */
+    struct Part
+    {
+      MeshFigures                          whole;
+      std::vector<unsigned int>            cells;
+      std::vector<types::global_dof_index> dofs;
+    };
+
+    std::optional<Part> part;
 
     /** The mesh before any refinement. */
     std::shared_ptr<const Triangulation<dim>> coarse_cells;

@@ -13,7 +13,8 @@ namespace StickSlip
    * The meshes of all bodies on all levels, the coarsest first, and the
    * prolongations of nodal values between them.
    *
-   * Every process holds all meshes. Which nodes it owns follows from one
+   * Every process makes all meshes, and keeps of them what
+   * MeshLevel::keep_own_cells() says. Which nodes it owns follows from one
    * partition of the cells of the finest meshes of all bodies, see
    * partition_cells(): a node belongs to the owner of a finest cell at its
    * place, on each level. Levels with few nodes are gathered on fewer

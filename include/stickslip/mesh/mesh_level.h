@@ -5,17 +5,22 @@
 #define stickslip_mesh_mesh_level_h
 
 #include <stickslip/algebra/node_partition.h>
+#include <stickslip/algebra/transfer_matrix.h>
 #include <stickslip/geometry/fault_topology.h>
 #include <stickslip/mesh/body_mesh.h>
+
+#include <cstdint>
+#include <unordered_map>
 
 namespace StickSlip
 {
   /**
    * One level of the hierarchy: a mesh of each body and a common numbering of
    * their nodes, by owner, and for each owner body after body in the order of
-   * the bodies' DoFHandlers. On one process that is body after body.
+   * the bodies' DoFHandlers. On one process that is body after body, the serial
+   * order.
    *
-   * Every process knows all of this for all nodes, but for local indices.
+   * It is made from whole meshes; several processes then keep what they need.
    */
   template <int dim>
   struct MeshLevel
@@ -41,11 +46,51 @@ namespace StickSlip
               const MPI_Comm                  &communicator,
               const unsigned int               n_components = dim);
 
+    /** Keep the cells that touch an owned node and those on the sides of
+     * bodies, and forget the others and their nodes. */
+    void
+    keep_own_cells();
+
     /** Number of nodes of all bodies. */
     types::global_dof_index
     n_nodes() const
     {
-      return global_numbers.size();
+      return n_all_nodes;
+    }
+
+    /** Number of active cells of all bodies. */
+    types::global_dof_index
+    n_cells() const
+    {
+      return first_serial_cell.back();
+    }
+
+    /** Serial numbers of a degree of freedom and of an active cell of a body:
+     * those that they have on one process. */
+    types::global_dof_index
+    serial_node(const unsigned int            body,
+                const types::global_dof_index dof) const
+    {
+      return first_serial_node[body] + bodies[body]->whole_dof(dof);
+    }
+    types::global_dof_index
+    serial_cell(const unsigned int body, const unsigned int cell) const
+    {
+      return first_serial_cell[body] + bodies[body]->whole_cell(cell);
+    }
+
+    /** Serial numbers of the owned nodes. */
+    const std::vector<types::global_dof_index> &
+    owned_serial_nodes() const
+    {
+      return serial_nodes;
+    }
+
+    /** Checksum of the positions of all vertices, in their serial order. */
+    std::uint32_t
+    checksum() const
+    {
+      return vertex_checksum;
     }
 
     /** The global number of the node at a degree of freedom of a body. */
@@ -59,7 +104,7 @@ namespace StickSlip
 
     /** The nodes and weights to which the value at a degree of freedom is
      * bound: the node itself, or the masters of a hanging one. */
-    std::vector<std::pair<types::global_dof_index, double>>
+    GlobalRow
     resolve(const unsigned int body, const types::global_dof_index dof) const;
 
     /** The first (0) or second (1) side of a fault, its nodes by global number,
@@ -88,6 +133,14 @@ namespace StickSlip
     /** Position in global_numbers of the first node of each body. */
     std::vector<types::global_dof_index> first_node;
     std::vector<types::global_dof_index> global_numbers;
+    /** Rows of the bound nodes by their position in global_numbers. */
+    std::unordered_map<types::global_dof_index, GlobalRow> bound_rows;
+    types::global_dof_index                                n_all_nodes = 0;
+    /** Serial numbers of the owned nodes, and of the first node and the first
+     * cell of each body. */
+    std::vector<types::global_dof_index> serial_nodes, first_serial_node,
+      first_serial_cell;
+    std::uint32_t vertex_checksum = 0;
     /** First and second side of each fault. */
     std::vector<std::array<FaultSurface<dim>, 2>> surfaces;
     IndexSet                                      strip_nodes;

@@ -7,6 +7,7 @@
 #include <stickslip/algebra/node_partition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/output/output_fields.h>
+#include <stickslip/output/vtu_file.h>
 
 #include <functional>
 #include <string>
@@ -40,36 +41,60 @@ namespace StickSlip
   };
 
   /**
-   * Values of all nodes in the order of their global numbers, see
-   * gather_on_first(): m, m/s, m/s^2. Values that no field needs may be empty.
+   * Nodal values of all bodies: m, m/s, m/s^2.
    */
-  struct VolumeNodalValues
+  struct VolumeState
   {
-    std::vector<double> displacement, velocity, acceleration;
+    const NodalVector &displacement, &velocity, &acceleration;
   };
 
   /**
-   * Write the @p fields of all bodies into one VTU file in @p directory, with
-   * the ending for this step; returns its name. One process writes for all.
+   * All that a file shows of the bodies; for each field as many values as there
+   * are points or cells, times its components.
+   */
+  struct VolumeContent
+  {
+    struct Field
+    {
+      std::string         name;
+      unsigned int        n_components;
+      std::vector<double> values;
+      std::string         units;
+    };
+
+    VtuGrid            grid;
+    std::vector<Field> of_points, of_cells;
+  };
+
+  /**
+   * The @p fields of all bodies, on the first process; each process computes
+   * those of its own cells. Collective.
    *
    * Vectors have three components; where bodies move out of the plane, z is
    * the axis that they move along. Stress (Pa) and strain are those of each
    * cell's centre, as cell data; the stress is the elastic one, tension
    * positive, in plane strain with that out of the plane, stress_zz; where
    * bodies move out of the plane, both have the entries with z. Fields of @p
-   * materials are those of the centre, too. The names of the bodies are the
-   * strings body_names of the file.
+   * materials are those of the centre, too.
    */
   template <int dim>
+  VolumeContent
+  collect_volume(const MeshLevel<dim>                   &level,
+                 const VolumeState                      &state,
+                 const std::vector<VolumeMaterial<dim>> &materials,
+                 const std::vector<VolumeField>         &fields);
+
+  /**
+   * Write one VTU file into @p directory, with the ending for this step;
+   * returns its name. The names of the bodies are the strings body_names of the
+   * file.
+   */
   std::string
-  write_volume(const std::string                      &directory,
-               const unsigned int                      number,
-               const double                            time,
-               const MeshLevel<dim>                   &level,
-               const VolumeNodalValues                &values,
-               const std::vector<VolumeMaterial<dim>> &materials,
-               const std::vector<std::string>         &body_names,
-               const std::vector<VolumeField>         &fields);
+  write_volume(const std::string              &directory,
+               const unsigned int              number,
+               const double                    time,
+               const VolumeContent            &content,
+               const std::vector<std::string> &body_names);
 } // namespace StickSlip
 
 #endif

@@ -106,13 +106,8 @@ namespace StickSlip
     void
     add_openings(RunSummary &summary) const;
 
-    /** Nodal values that the VTU files need. Collective. */
-    VolumeNodalValues
-    gather_volume(const SystemState<dim> &state) const;
-
     void
-    write_volume_now(const unsigned int       number,
-                     const VolumeNodalValues &values);
+    write_volume_now(const unsigned int number, const VolumeContent &content);
 
     void
     write_surfaces_now(const unsigned int number);
