@@ -30,13 +30,13 @@ namespace StickSlip::Tests
   /** The number that a node has on one process, for each number on all. */
   template <int dim>
   std::vector<types::global_dof_index>
-  numbers_on_one(const MeshLevel<dim> &shared, const MeshLevel<dim> &alone)
+  numbers_on_one(const MeshLevel<dim> &shared)
   {
-    std::vector<types::global_dof_index> numbers(shared.n_nodes());
-    for (unsigned int b = 0; b < shared.bodies.size(); ++b)
-      for (unsigned int dof = 0; dof < shared.bodies[b]->dof_handler().n_dofs();
-           ++dof)
-        numbers[shared.global_node(b, dof)] = alone.global_node(b, dof);
+    std::vector<types::global_dof_index> numbers;
+    for (const auto &of_process :
+         Utilities::MPI::all_gather(MPI_COMM_WORLD,
+                                    shared.owned_serial_nodes()))
+      numbers.insert(numbers.end(), of_process.begin(), of_process.end());
     return numbers;
   }
 

@@ -57,8 +57,7 @@ namespace
       displacement_error = difference(shared.state().displacement,
                                       shared.meshes().finest().nodes,
                                       alone.state().displacement,
-                                      numbers_on_one(shared.meshes().finest(),
-                                                     alone.meshes().finest()));
+                                      numbers_on_one(shared.meshes().finest()));
     }
 
   private:

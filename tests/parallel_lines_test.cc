@@ -109,8 +109,7 @@ TEST(ParallelLines, HaveTheSolutionOfOneProcess)
         EXPECT_LT(difference(ours.w,
                              shared.problem.hierarchy().finest().nodes,
                              one.w,
-                             numbers_on_one(shared.meshes.finest(),
-                                            alone.meshes.finest())),
+                             numbers_on_one(shared.meshes.finest())),
                   1e-8);
         if (is_first())
           std::cout << ours.summary.iterations.size() << " iterations, "

@@ -59,8 +59,7 @@ namespace
         EXPECT_LT(difference(ours.level_matrix(l),
                              ours.description(l).nodes,
                              one.level_matrix(l),
-                             numbers_on_one(shared.meshes.level(l),
-                                            alone.meshes.level(l))),
+                             numbers_on_one(shared.meshes.level(l))),
                   1e-12)
           << "level " << l << " of " << ours.n_levels();
     }
@@ -74,8 +73,7 @@ namespace
                         const unsigned int min_nodes_per_process)
   {
     Pair<dim>  pair(bodies, min_nodes_per_process);
-    const auto numbers =
-      numbers_on_one(pair.shared.meshes.finest(), pair.alone.meshes.finest());
+    const auto numbers = numbers_on_one(pair.shared.meshes.finest());
     const auto compare = [&](const std::string &what) {
       SCOPED_TRACE(what);
       const auto &ours = pair.shared.problem.hierarchy();

@@ -265,12 +265,10 @@ namespace StickSlip
           continue;
         const types::global_dof_index bound = number[line.index];
         constraints.add_line(bound);
-        if (std::all_of(line.entries.begin(),
-                        line.entries.end(),
-                        [&](const auto &entry) {
-                          return number[entry.first] !=
-                                 numbers::invalid_dof_index;
-                        }))
+        if (std::all_of(
+              line.entries.begin(), line.entries.end(), [&](const auto &entry) {
+                return number[entry.first] != numbers::invalid_dof_index;
+              }))
           for (const auto &entry : line.entries)
             constraints.add_entry(bound, number[entry.first], entry.second);
       }

@@ -149,11 +149,11 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(dim)                         \
-  template FaultSurface<dim> BodyMesh<dim>::surface(       \
-    const types::boundary_id) const;                       \
-  template std::vector<types::global_dof_index>            \
-  BodyMesh<dim>::dofs_on_side(const types::boundary_id) const;
+#define STICKSLIP_INSTANTIATE(dim)                                            \
+  template FaultSurface<dim> BodyMesh<dim>::surface(const types::boundary_id) \
+    const;                                                                    \
+  template std::vector<types::global_dof_index> BodyMesh<dim>::dofs_on_side(  \
+    const types::boundary_id) const;
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

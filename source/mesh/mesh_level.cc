@@ -208,16 +208,17 @@ namespace StickSlip
                   [&](const unsigned int                          body,
                       const auto                                 &cell,
                       const std::vector<types::global_dof_index> &cell_nodes) {
-                    is_kept[body][cell->active_cell_index()] =
-                      cell->at_boundary() ||
-                      std::any_of(cell_nodes.begin(),
-                                  cell_nodes.end(),
-                                  [&](const types::global_dof_index node) {
-                                    return nodes.owned().is_element(node);
-                                  });
+                    bool is_wanted = cell->at_boundary();
+                    for (const types::global_dof_index node : cell_nodes)
+                      is_wanted |= nodes.owned().is_element(node);
+                    // Hanging nodes are not among those that they are bound to.
+                    for (const auto v : cell->vertex_indices())
+                      is_wanted |= nodes.owned().is_element(
+                        global_node(body, cell->vertex_dof_index(v, 0)));
+                    is_kept[body][cell->active_cell_index()] = is_wanted;
                   });
 
-    std::vector<types::global_dof_index> first = {0}, numbers;
+    std::vector<types::global_dof_index>                   first = {0}, numbers;
     std::unordered_map<types::global_dof_index, GlobalRow> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {

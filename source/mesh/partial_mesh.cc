@@ -30,11 +30,11 @@ namespace StickSlip
                                 const std::vector<bool>  &is_kept)
   {
     AssertDimension(is_kept.size(), whole.n_active_cells());
-    std::vector<unsigned int>       number(whole.n_vertices(),
+    std::vector<unsigned int>      number(whole.n_vertices(),
                                      numbers::invalid_unsigned_int);
-    std::vector<Point<dim>>         points;
-    std::vector<CellData<dim>>      kept;
-    std::vector<CellData<dim - 1>>  sides;
+    std::vector<Point<dim>>        points;
+    std::vector<CellData<dim>>     kept;
+    std::vector<CellData<dim - 1>> sides;
     for (const auto &cell : whole.active_cell_iterators())
       if (is_kept[cell->active_cell_index()])
         {

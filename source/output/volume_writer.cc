@@ -97,10 +97,8 @@ namespace StickSlip
           for (const auto &[node, factor] : rows[i])
             for (unsigned int c = 0; c < n_components; ++c)
               values[3 * i + first + c] +=
-                factor *
-                nodal.local_element(level.nodes.local_index(node) *
-                                      n_components +
-                                    c);
+                factor * nodal.local_element(
+                           level.nodes.local_index(node) * n_components + c);
         return values;
       }
 
@@ -114,10 +112,10 @@ namespace StickSlip
           const std::vector<unsigned int> order =
             vtk_order<dim>(cell->reference_cell());
           for (unsigned int v = 0; v < vertices_per_cell; ++v)
-            result.push_back(v < order.size() ?
-                               level.serial_node(
-                                 body, cell->vertex_dof_index(order[v], 0)) :
-                               -1);
+            result.push_back(
+              v < order.size() ?
+                level.serial_node(body, cell->vertex_dof_index(order[v], 0)) :
+                -1);
         });
         return result;
       }
@@ -133,7 +131,7 @@ namespace StickSlip
 
     private:
       bool
-      is_own(const unsigned int                                     body,
+      is_own(const unsigned int                                    body,
              const typename DoFHandler<dim>::active_cell_iterator &cell) const
       {
         types::global_dof_index least = numbers::invalid_dof_index;
@@ -306,7 +304,7 @@ namespace StickSlip
   {
     const OwnVolume<dim> own(level);
     const MPI_Comm       communicator = level.nodes.communicator();
-    const SerialOrder points(own.points, level.n_nodes(), communicator),
+    const SerialOrder    points(own.points, level.n_nodes(), communicator),
       cells(own.cells, level.n_cells(), communicator);
 
     VolumeContent content;
@@ -317,10 +315,9 @@ namespace StickSlip
                                  const std::string         &units) {
       content.of_points.push_back({name, 3, points.gather(values, 3), units});
     };
-    const bool with_stress = has_field(wanted, VolumeField::stress),
-               with_strain = has_field(wanted, VolumeField::strain),
-               with_displacement =
-                 has_field(wanted, VolumeField::displacement);
+    const bool with_stress       = has_field(wanted, VolumeField::stress),
+               with_strain       = has_field(wanted, VolumeField::strain),
+               with_displacement = has_field(wanted, VolumeField::displacement);
     std::vector<double> displacement;
     if (with_displacement || with_stress || with_strain)
       displacement = own.at_points(state.displacement);

@@ -320,11 +320,11 @@ namespace StickSlip
                surfaces      = fields && scene.output.write_fault_surfaces;
     VolumeContent content;
     if (volume)
-      content = collect_volume(
-        space.meshes().finest(),
-        {state.displacement, state.velocity, state.acceleration},
-        volume_materials(scene),
-        scene.output.volume_fields);
+      content =
+        collect_volume(space.meshes().finest(),
+                       {state.displacement, state.velocity, state.acceleration},
+                       volume_materials(scene),
+                       scene.output.volume_fields);
     std::vector<std::vector<double>> station_values;
     if (at_stations)
       station_values =
@@ -428,9 +428,8 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
-  RunRecord<dim, n_components>::write_volume_now(
-    const unsigned int   number,
-    const VolumeContent &content)
+  RunRecord<dim, n_components>::write_volume_now(const unsigned int   number,
+                                                 const VolumeContent &content)
   {
     files->volumes.add(last_step.time,
                        {write_volume(scene.output.directory,

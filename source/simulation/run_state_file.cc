@@ -102,16 +102,16 @@ namespace StickSlip
     /** The values of all nodes on the first process; none of an empty vector.
      */
     std::vector<double>
-    gather(const NodalVector  &vector,
-           const SerialOrder  &order,
-           const unsigned int  n_components)
+    gather(const NodalVector &vector,
+           const SerialOrder &order,
+           const unsigned int n_components)
     {
       if (vector.size() == 0)
         return {};
-      return order.gather(
-        std::vector<double>(vector.begin(),
-                            vector.begin() + vector.locally_owned_size()),
-        n_components);
+      return order.gather(std::vector<double>(vector.begin(),
+                                              vector.begin() +
+                                                vector.locally_owned_size()),
+                          n_components);
     }
 
 
@@ -127,9 +127,8 @@ namespace StickSlip
       NodalVector result = level.nodes.make_vector();
       auto        here   = result.begin();
       for (const types::global_dof_index node : level.owned_serial_nodes())
-        here = std::copy_n(values.begin() + node * n_components,
-                           n_components,
-                           here);
+        here =
+          std::copy_n(values.begin() + node * n_components, n_components, here);
       return result;
     }
   } // namespace
@@ -143,8 +142,8 @@ namespace StickSlip
                   const MeshLevel<dim>              &level,
                   const SceneEntries                &entries)
   {
-    const MPI_Comm    communicator = level.nodes.communicator();
-    const SerialOrder order(level.owned_serial_nodes(),
+    const MPI_Comm                   communicator = level.nodes.communicator();
+    const SerialOrder                order(level.owned_serial_nodes(),
                             level.n_nodes(),
                             communicator);
     std::vector<std::vector<double>> vectors;

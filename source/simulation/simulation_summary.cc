@@ -41,7 +41,8 @@ namespace StickSlip
       for (unsigned int i = 0; i < finest.bodies.size(); ++i)
         {
           const MeshFigures one = finest.bodies[i]->figures();
-          add_figures(one, summary.add_section("Mesh of body " + body_names[i]));
+          add_figures(one,
+                      summary.add_section("Mesh of body " + body_names[i]));
           if (i == 0)
             continue;
           all.n_vertices += one.n_vertices;

@@ -228,8 +228,7 @@ namespace StickSlip
                              const unsigned int    body,
                              const MeshLevel<dim> &level)
   {
-    const BodyPlace place =
-      nearest_place(level, body, point_of<dim>(station));
+    const BodyPlace place = nearest_place(level, body, point_of<dim>(station));
     refuse_outside(station, "body", place);
 
     for (unsigned int c = 0; c < n_components; ++c)

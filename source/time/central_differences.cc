@@ -190,7 +190,7 @@ namespace StickSlip
     NodalVector     x = problem.make_vector(), stiff = x, viscous = x, p = x;
     // Numbers without a pattern that do not depend on the processes, as those
     // of degrees of freedom do not.
-    const MeshLevel<dim> &level = problem.meshes().finest();
+    const MeshLevel<dim> &level  = problem.meshes().finest();
     const auto           &serial = level.owned_serial_nodes();
     for (unsigned int i = 0; i < serial.size(); ++i)
       for (unsigned int c = 0; c < n_components; ++c)
