@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/cell_partition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
@@ -315,6 +316,8 @@ namespace StickSlip
     if (n_processes > 1)
       for (MeshLevel<dim> &level : levels)
         level.keep_own_cells();
+    meshes.clear();
+    give_back_freed_memory();
     std::reverse(levels.begin(), levels.end());
     std::reverse(prolongations.begin(), prolongations.end());
   }

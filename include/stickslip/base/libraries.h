@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/base/freed_memory.h>
+
 #include <array>
 
 namespace StickSlip
@@ -22,7 +24,9 @@ namespace StickSlip
     Libraries()
       : arguments{{name.data(), nullptr}}
       , mpi(n_arguments, first_argument, 1)
-    {}
+    {
+      give_back_large_blocks();
+    }
 
   private:
     std::array<char, 10>                     name = {"stickslip"};

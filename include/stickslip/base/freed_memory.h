@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_base_freed_memory_h
+#define stickslip_base_freed_memory_h
+
+namespace StickSlip
+{
+  /**
+   * Let large blocks of memory go back to the system as soon as they are freed.
+   * Some MPI libraries forbid that; the space that one matrix leaves is then
+   * kept, and a larger one takes new space. To be called after MPI_Init().
+   */
+  void
+  give_back_large_blocks();
+
+  /**
+   * Give what has been freed in small blocks back to the system.
+   */
+  void
+  give_back_freed_memory();
+} // namespace StickSlip
+
+#endif
