@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/algebra/form_kernels.h>
+#include <stickslip/algebra/symmetric_kernels.h>
 
 #include <random>
 
@@ -41,7 +41,7 @@ namespace
             if (i == j)
               diagonal.push_back(column.size());
             column.push_back(j);
-            for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int c = 0; c < n_components && j >= i; ++c)
               for (unsigned int d = 0; d < n_components; ++d)
                 values.push_back(
                   A(own[i] * n_components + c, nodes[j] * n_components + d));
@@ -51,11 +51,12 @@ namespace
     for (const unsigned int node : nodes)
       for (unsigned int c = 0; c < n_components; ++c)
         local_x.push_back(x[node * n_components + c]);
-    return Kernels::quadratic_form<n_components>({row_start.data(),
+    return Kernels::quadratic_form<n_components>({static_cast<unsigned int>(
+                                                    own.size()),
+                                                  row_start.data(),
+                                                  diagonal.data(),
                                                   column.data(),
                                                   values.data()},
-                                                 diagonal.data(),
-                                                 own.size(),
                                                  local_x.data());
   }
 } // namespace

@@ -10,10 +10,25 @@ namespace StickSlip
 {
   BlockSparsity::BlockSparsity(std::vector<std::vector<unsigned int>> rows)
   {
+    std::size_t n_entries = 0;
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        rows[i].push_back(i);
+        make_set(rows[i]);
+        n_entries += rows[i].size();
+      }
     row_start.reserve(rows.size() + 1);
     diagonal.reserve(rows.size());
-    for (std::vector<unsigned int> &row : rows)
-      append_row(std::move(row));
+    column.reserve(n_entries);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        const auto own = std::lower_bound(rows[i].begin(), rows[i].end(), i);
+        diagonal.push_back(column.size() + (own - rows[i].begin()));
+        column.insert(column.end(), rows[i].begin(), rows[i].end());
+        row_start.push_back(column.size());
+        // Memory of the lists is as large as that of the columns.
+        std::vector<unsigned int>().swap(rows[i]);
+      }
   }
 
 
@@ -23,20 +38,6 @@ namespace StickSlip
   {
     // The diagonal belongs to each row.
     return columns_of_rows(row_start, column, rows);
-  }
-
-
-
-  void
-  BlockSparsity::append_row(std::vector<unsigned int> row)
-  {
-    const unsigned int i = n_rows();
-    row.push_back(i);
-    make_set(row);
-    const auto own = std::lower_bound(row.begin(), row.end(), i);
-    diagonal.push_back(column.size() + (own - row.begin()));
-    column.insert(column.end(), row.begin(), row.end());
-    row_start.push_back(column.size());
   }
 
 

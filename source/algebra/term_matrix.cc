@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/algebra/term_matrix.h>
 
 #include <algorithm>
@@ -35,8 +37,66 @@ namespace StickSlip
 
   template <int n_components>
   TermMatrix<n_components>::TermMatrix(BlockMatrix<n_components> matrix)
-    : blocks(std::move(matrix))
+    : pattern(matrix.shared_sparsity())
+    , blocks(std::move(matrix))
   {}
+
+
+
+  template <int n_components>
+  TermMatrix<n_components>
+  TermMatrix<n_components>::symmetric(const BlockMatrix<n_components> &matrix)
+  {
+    const BlockSparsity &sparsity = matrix.sparsity();
+    TermMatrix           result;
+    result.pattern = matrix.shared_sparsity();
+    result.upper_start.reserve(matrix.n_rows() + 1);
+    result.upper_start.push_back(0);
+    for (unsigned int i = 0; i < matrix.n_rows(); ++i)
+      result.upper_start.push_back(result.upper_start.back() +
+                                   sparsity.row_start[i + 1] -
+                                   sparsity.diagonal[i]);
+    result.upper.resize_fast(std::size_t(result.upper_start.back()) *
+                             block_size);
+    result.mirror.reserve(sparsity.n_entries() - result.upper_start.back());
+    for (unsigned int i = 0; i < matrix.n_rows(); ++i)
+      {
+        std::copy(matrix.block(sparsity.diagonal[i]),
+                  matrix.block(sparsity.row_start[i + 1]),
+                  result.upper.data() +
+                    std::size_t(result.upper_start[i]) * block_size);
+        for (unsigned int k = sparsity.row_start[i]; k < sparsity.diagonal[i];
+             ++k)
+          {
+            const unsigned int j = sparsity.column[k];
+            result.mirror.push_back(result.upper_start[j] +
+                                    sparsity.position(j, i) -
+                                    sparsity.diagonal[j]);
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int n_components>
+  template <typename Action>
+  void
+  TermMatrix<n_components>::for_each_block(const unsigned int i,
+                                           const Action      &action) const
+  {
+    const unsigned int diagonal = pattern->diagonal[i];
+    for (unsigned int k = pattern->row_start[i]; k < diagonal; ++k)
+      action(k,
+             upper.data() +
+               std::size_t(mirror[k - upper_start[i]]) * block_size,
+             true);
+    for (unsigned int k = diagonal; k < pattern->row_start[i + 1]; ++k)
+      action(k,
+             upper.data() +
+               std::size_t(upper_start[i] + (k - diagonal)) * block_size,
+             false);
+  }
 
 
 
@@ -65,6 +125,7 @@ namespace StickSlip
                                      matrix.block(begin),
                                      matrix.block(end));
       }
+    result.pattern = matrix.shared_sparsity();
     result.numbers = std::move(numbers);
     return result;
   }
@@ -76,6 +137,7 @@ namespace StickSlip
   TermMatrix<n_components>::of_numbers(BlockMatrix<1> numbers)
   {
     TermMatrix result;
+    result.pattern = numbers.shared_sparsity();
     if constexpr (n_components == 1)
       result.blocks = std::move(numbers);
     else
@@ -86,11 +148,20 @@ namespace StickSlip
 
 
   template <int n_components>
-  const BlockMatrix<n_components> &
+  BlockMatrix<n_components>
   TermMatrix<n_components>::block_matrix() const
   {
-    AssertThrow(!is_compact(), ExcMessage("The blocks are not stored."));
-    return blocks;
+    BlockMatrix<n_components> result(pattern);
+    std::vector<double>       buffer;
+    for (unsigned int i = 0; i < n_rows(); ++i)
+      {
+        const double *blocks_of_row = row(i, buffer);
+        double       *target        = result.block(pattern->row_start[i]);
+        std::copy_n(blocks_of_row,
+                    result.block(pattern->row_start[i + 1]) - target,
+                    target);
+      }
+    return result;
   }
 
 
@@ -114,9 +185,24 @@ namespace StickSlip
   TermMatrix<n_components>::entry(const unsigned int row,
                                   const unsigned int position) const
   {
+    Tensor<2, n_components> result;
+    if (is_symmetric())
+      {
+        const unsigned int diagonal = pattern->diagonal[row];
+        const bool         is_lower = position < diagonal;
+        const double      *block =
+          upper.data() +
+          block_size * std::size_t(is_lower ?
+                                     mirror[position - upper_start[row]] :
+                                     upper_start[row] + (position - diagonal));
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            result[c][d] = is_lower ? block[d * n_components + c] :
+                                      block[c * n_components + d];
+        return result;
+      }
     if (!is_compact())
       return blocks.entry(row, position);
-    Tensor<2, n_components> result;
     if (const double *stored = stored_blocks(row))
       {
         const double *block =
@@ -141,6 +227,22 @@ namespace StickSlip
   {
     const unsigned int begin = sparsity().row_start[i],
                        end   = sparsity().row_start[i + 1];
+    if (is_symmetric())
+      {
+        buffer.resize(std::size_t(end - begin) * block_size);
+        double *target = buffer.data();
+        for_each_block(i,
+                       [&](const unsigned int,
+                           const double *block,
+                           const bool    is_transposed) {
+                         for (unsigned int c = 0; c < n_components; ++c)
+                           for (unsigned int d = 0; d < n_components; ++d)
+                             *target++ = is_transposed ?
+                                           block[d * n_components + c] :
+                                           block[c * n_components + d];
+                       });
+        return buffer.data();
+      }
     if (!is_compact())
       return blocks.block(begin);
     if (const double *stored = stored_blocks(i))
@@ -156,9 +258,30 @@ namespace StickSlip
 
 
   template <int n_components>
+  double
+  TermMatrix<n_components>::quadratic_form(const NodalVector &x) const
+  {
+    AssertThrow(is_symmetric(), ExcMessage("The matrix is not symmetric."));
+    update_ghosts(x);
+    return Utilities::MPI::sum(
+      Kernels::quadratic_form<n_components>(upper_triangle(), x.begin()),
+      x.get_mpi_communicator());
+  }
+
+
+
+  template <int n_components>
   void
   TermMatrix<n_components>::vmult(NodalVector &y, const NodalVector &x) const
   {
+    if (is_symmetric())
+      {
+        update_ghosts(x);
+        Kernels::symmetric_vmult<n_components>(upper_triangle(),
+                                               x.begin(),
+                                               y.begin());
+        return;
+      }
     if (!is_compact())
       {
         blocks.vmult(y, x);
@@ -169,19 +292,18 @@ namespace StickSlip
                                             n_rows(),
                                             x.begin(),
                                             y.begin());
-    const BlockSparsity &pattern = sparsity();
     for (unsigned int k = 0; k < rows_with_blocks.size(); ++k)
       {
         const unsigned int i     = rows_with_blocks[k];
         const double      *block = blocks_of_rows.data() + first_block[k];
-        for (unsigned int m = pattern.row_start[i];
-             m < pattern.row_start[i + 1];
+        for (unsigned int m = pattern->row_start[i];
+             m < pattern->row_start[i + 1];
              ++m, block += block_size)
           for (unsigned int c = 0; c < n_components; ++c)
             for (unsigned int d = 0; d < n_components; ++d)
               y.begin()[i * n_components + c] +=
                 block[c * n_components + d] *
-                x.begin()[pattern.column[m] * n_components + d];
+                x.begin()[pattern->column[m] * n_components + d];
       }
   }
 
@@ -193,7 +315,7 @@ namespace StickSlip
                                      const NodalVector &b,
                                      const NodalVector &x) const
   {
-    if (!is_compact())
+    if (!is_compact() && !is_symmetric())
       {
         blocks.residual(r, b, x);
         return;
@@ -217,16 +339,30 @@ namespace StickSlip
     AssertDimension(coefficients.size(), terms.size());
     std::vector<std::pair<double, const BlockMatrix<n_components> *>> stored;
     for (unsigned int t = 0; t < terms.size(); ++t)
-      if (!terms[t].is_compact())
+      if (!terms[t].is_compact() && !terms[t].is_symmetric())
         stored.emplace_back(coefficients[t], &terms[t].blocks);
     target.combine(stored, begin, end);
     const BlockSparsity &pattern = target.sparsity();
     for (unsigned int t = 0; t < terms.size(); ++t)
       {
         const TermMatrix &term = terms[t];
+        const double      a    = coefficients[t];
+        if (term.is_symmetric())
+          for (unsigned int i = begin; i < end; ++i)
+            term.for_each_block(
+              i,
+              [&](const unsigned int k,
+                  const double      *block,
+                  const bool         is_transposed) {
+                double *sum = target.block(k);
+                for (unsigned int c = 0; c < n_components; ++c)
+                  for (unsigned int d = 0; d < n_components; ++d)
+                    sum[c * n_components + d] +=
+                      a * (is_transposed ? block[d * n_components + c] :
+                                           block[c * n_components + d]);
+              });
         if (!term.is_compact())
           continue;
-        const double       a     = coefficients[t];
         const unsigned int first = pattern.row_start[begin],
                            last  = pattern.row_start[end];
         Kernels::add_numbers<n_components>(a,
@@ -258,7 +394,9 @@ namespace StickSlip
   TermMatrix<n_components>::memory_consumption() const
   {
     return blocks.memory_consumption() + numbers.memory_consumption() +
-           sizeof(unsigned int) * rows_with_blocks.capacity() +
+           sizeof(double) * upper.capacity() +
+           sizeof(unsigned int) * (upper_start.capacity() + mirror.capacity() +
+                                   rows_with_blocks.capacity()) +
            sizeof(std::size_t) * first_block.capacity() +
            sizeof(double) * blocks_of_rows.capacity();
   }

@@ -189,6 +189,8 @@ namespace StickSlip
     by_row.row_start.reserve(rows.size() + 1);
     for (const GlobalRow &row : rows)
       append_row(row, coarse);
+    by_row.column.shrink_to_fit();
+    by_row.value.shrink_to_fit();
     by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
     turned_rows =
       find_turned_rows(by_row, n_owned_rows, row_frames, column_frames);

@@ -72,6 +72,8 @@ namespace StickSlip
         upper.row_start.push_back(upper.column.size());
       }
     for (Part *part : {&lower, &upper})
+      part->column.shrink_to_fit();
+    for (Part *part : {&lower, &upper})
       part->values.resize(std::size_t(part->column.size()) * n_components *
                             n_components +
                           Kernels::sweep_padding);

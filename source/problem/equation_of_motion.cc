@@ -59,7 +59,6 @@ namespace StickSlip
         terms.push_back(term);
     if (has(mass))
       masses = row_sums(nodal_terms->mass);
-    sparsity = nodal_terms->stiffness.shared_sparsity();
     // Gravity acts in the plane.
     if (n_components == dim && gravity.norm_square() > 0.)
       gravity_load =
@@ -76,6 +75,17 @@ namespace StickSlip
       assemble_elastic_matrices<dim, n_components>(space.meshes().finest(),
                                                    materials,
                                                    with_inertia));
+  }
+
+
+
+  template <int dim, int n_components>
+  const BlockSparsity &
+  EquationOfMotion<dim, n_components>::nodal_sparsity()
+  {
+    if (!nodal_terms)
+      assemble();
+    return nodal_terms->stiffness.sparsity();
   }
 
 
@@ -139,8 +149,6 @@ namespace StickSlip
     std::vector<LevelDescription<n_components>> descriptions)
   {
     constant_load.reset();
-    if (!nodal_terms)
-      assemble();
     const NodeMask all(space.meshes().finest().nodes.n_local(), n_components);
     std::vector<TermMatrix<n_components>> jump_terms;
     for (const Term term : terms)
@@ -152,7 +160,7 @@ namespace StickSlip
         rotation.transform(in_jumps);
         jump_terms.push_back(term == mass ?
                                TermMatrix<n_components>::compact(in_jumps) :
-                               std::move(in_jumps));
+                               TermMatrix<n_components>::symmetric(in_jumps));
       }
     nodal_terms.reset();
     operator_sum =

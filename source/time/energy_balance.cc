@@ -3,7 +3,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/algebra/form_kernels.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/problem/known_velocities.h>
 #include <stickslip/problem/shear_traction.h>
@@ -303,8 +302,8 @@ namespace StickSlip
   EnergyBalance<dim, n_components>::viscous_work(const double tau,
                                                  const bool   has_mean) const
   {
-    const BlockMatrix<n_components> &C =
-      problem.term(SpatialProblem<dim, n_components>::damping).block_matrix();
+    const TermMatrix<n_components> &C =
+      problem.term(SpatialProblem<dim, n_components>::damping);
     if (has_mean)
       {
         NodalVector force = change;
@@ -312,10 +311,7 @@ namespace StickSlip
         return 0.5 * (force * last->viscous_velocity() +
                       force * end->viscous_velocity());
       }
-    update_ghosts(change);
-    const double form = Kernels::quadratic_form<n_components>(
-      C.rows(), C.sparsity().diagonal.data(), C.n_rows(), change.begin());
-    return Utilities::MPI::sum(form, change.get_mpi_communicator()) / tau;
+    return C.quadratic_form(change) / tau;
   }
 
 

@@ -55,10 +55,6 @@ namespace StickSlip
 
     std::size_t
     memory_consumption() const;
-
-  private:
-    void
-    append_row(std::vector<unsigned int> row);
   };
 
   /**

@@ -5,16 +5,22 @@
 #define stickslip_algebra_term_matrix_h
 
 #include <stickslip/algebra/block_matrix.h>
+#include <stickslip/algebra/symmetric_kernels.h>
 
 #include <vector>
 
 namespace StickSlip
 {
   /**
-   * A term of an operator: a block matrix that does not change, stored as it is
-   * or compact, with one number in place of each block in rows whose blocks are
-   * all multiples of the identity. A mass matrix in the jump basis has such
-   * rows alone, but next to nodes with axes of their own.
+   * A term of an operator: a block matrix that does not change, stored in one
+   * of three ways.
+   *
+   * - As it is.
+   * - Symmetric: the diagonal and what is above it, half of the memory. Columns
+   *   of ghosts lie behind all others, so that these are whole.
+   * - Compact: one number in place of each block in rows whose blocks are all
+   *   multiples of the identity. A mass matrix in the jump basis has such rows
+   *   alone, but next to nodes with axes of their own.
    */
   template <int n_components>
   class TermMatrix
@@ -27,6 +33,10 @@ namespace StickSlip
 
     /** Stored as it is. */
     TermMatrix(BlockMatrix<n_components> matrix);
+
+    /** Symmetric; what @p matrix has below the diagonal is not looked at. */
+    static TermMatrix
+    symmetric(const BlockMatrix<n_components> &matrix);
 
     /** Compact; blocks of one component are numbers anyway. */
     static TermMatrix
@@ -45,8 +55,7 @@ namespace StickSlip
     const std::shared_ptr<const BlockSparsity> &
     shared_sparsity() const
     {
-      return is_compact() ? numbers.shared_sparsity() :
-                            blocks.shared_sparsity();
+      return pattern;
     }
 
     unsigned int
@@ -62,8 +71,15 @@ namespace StickSlip
       return numbers.shared_sparsity() != nullptr;
     }
 
-    /** The matrix, which must not be compact. */
-    const BlockMatrix<n_components> &
+    /** True if the diagonal and what is above it are stored. */
+    bool
+    is_symmetric() const
+    {
+      return !upper_start.empty();
+    }
+
+    /** All blocks, as a matrix of its own. */
+    BlockMatrix<n_components>
     block_matrix() const;
 
     /** The block at a position of a row. */
@@ -89,6 +105,10 @@ namespace StickSlip
     void
     residual(NodalVector &r, const NodalVector &b, const NodalVector &x) const;
 
+    /** x . A x over all processes; the matrix is symmetric. Collective. */
+    double
+    quadratic_form(const NodalVector &x) const;
+
     /** The rows begin <= i < end of @p target become those of
      * sum_k coefficients[k] * terms[k]; all share one sparsity. */
     static void
@@ -108,8 +128,33 @@ namespace StickSlip
     const double *
     stored_blocks(const unsigned int i) const;
 
-    /** Empty if compact. */
+    /** Call @p action(k, block, is_transposed) for the positions @p k of a row
+     * of a symmetric matrix. */
+    template <typename Action>
+    void
+    for_each_block(const unsigned int i, const Action &action) const;
+
+    /** A symmetric matrix for the kernels. */
+    Kernels::UpperTriangle
+    upper_triangle() const
+    {
+      return {n_rows(),
+              pattern->row_start.data(),
+              pattern->diagonal.data(),
+              pattern->column.data(),
+              upper.data()};
+    }
+
+    std::shared_ptr<const BlockSparsity> pattern;
+
+    /** If stored as it is. */
     BlockMatrix<n_components> blocks;
+
+    /** If symmetric: the blocks from the diagonal on, row by row, which of them
+     * is the first of each row, and which is on the other side of each entry
+     * below the diagonal, row by row. */
+    AlignedVector<double>     upper;
+    std::vector<unsigned int> upper_start, mirror;
 
     /** If compact: a number for each block, zero in rows with blocks; these
      * rows, ascending, the positions of their first entries and their blocks.

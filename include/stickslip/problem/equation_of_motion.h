@@ -131,12 +131,10 @@ namespace StickSlip
     }
 
   protected:
-    /** Sparsity of the terms in the nodal basis. */
+    /** Sparsity of the terms in the nodal basis, which are assembled if they
+     * are not there. */
     const BlockSparsity &
-    nodal_sparsity() const
-    {
-      return *sparsity;
-    }
+    nodal_sparsity();
 
     /** Remove operator and levels. */
     void
@@ -156,8 +154,9 @@ namespace StickSlip
       fault_load = std::move(load);
     }
 
-    /** Make operator and levels; @p product, @p rotation: to the jump basis, @p
-     * descriptions: of the levels of the contact space. Collective. */
+    /** Make operator and levels of the terms in the nodal basis; @p product, @p
+     * rotation: to the jump basis, @p descriptions: of the levels of the
+     * contact space. Collective. */
     void
     make_operator(GalerkinProduct<n_components>              &product,
                   const RotationCoupling<dim, n_components>  &rotation,
@@ -181,7 +180,6 @@ namespace StickSlip
      * be a third of the memory, and to assemble them anew takes as long as the
      * rest of a new contact mapping. */
     std::unique_ptr<ElasticMatrices<n_components>> nodal_terms;
-    std::shared_ptr<const BlockSparsity>           sparsity;
     /** Terms that there are. */
     std::vector<Term>   terms;
     std::vector<double> masses;
