@@ -61,7 +61,10 @@ namespace
       , coupled(scene)
       , problem(*coupled.problem)
     {
+      // Levels are made when they are needed first.
+      const double bytes_before = allocated_bytes();
       make_all_levels();
+      level_bytes  = allocated_bytes() - bytes_before;
       contact_time = shortest(task.repetitions, [&]() {
         problem.build_contact(problem.make_nodal_vector());
         make_all_levels();
@@ -189,13 +192,12 @@ namespace
                                       1048576.,
                                     MPI_COMM_WORLD));
       table.add("bytes_per_unknown",
-                (coupled.problem_bytes + solver_bytes) / n_own);
+                (coupled.problem_bytes + level_bytes + solver_bytes) / n_own);
       if (task.costs)
         add_costs();
       table.end_row();
     }
 
-    /** The operators of the levels are made when they are needed. */
     void
     make_all_levels()
     {
@@ -236,6 +238,7 @@ namespace
     NodeLaws                laws;
     std::unique_ptr<FaultFriction<dim>> friction;
     double                              contact_time = 0, equilibrium_time = 0;
+    double                              level_bytes = 0;
 
     /** Of the present case. */
     double       tau = 0;
