@@ -9,6 +9,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/body_sides.h>
 #include <stickslip/mesh/partial_mesh.h>
 #include <stickslip/mesh/refined_cells.h>
 
@@ -367,6 +368,25 @@ namespace StickSlip
   {
     static const std::vector<std::array<unsigned int, 2>> none;
     return red_refinements.empty() ? none : red_refinements.back()->parents;
+  }
+
+
+
+  template <int dim>
+  FaultSurface<dim>
+  BodyMesh<dim>::surface(const types::boundary_id side) const
+  {
+    return BodySides<dim>{*dofs, constraints, lateral_lower, period}.surface(
+      side);
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  BodyMesh<dim>::dofs_on_side(const types::boundary_id side) const
+  {
+    return surface(side).nodes;
   }
 
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/geometry/face_area.h>
-#include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/body_sides.h>
 
 #include <algorithm>
 #include <map>
@@ -31,8 +31,8 @@ namespace StickSlip
 
   template <int dim>
   std::pair<types::global_dof_index, std::array<int, dim - 1>>
-  BodyMesh<dim>::node_of_vertex(const types::global_dof_index dof,
-                                const Point<dim>             &vertex) const
+  BodySides<dim>::node_of_vertex(const types::global_dof_index dof,
+                                 const Point<dim>             &vertex) const
   {
     std::array<int, dim - 1> wraps    = {};
     bool                     is_image = false;
@@ -58,7 +58,7 @@ namespace StickSlip
 
   template <int dim>
   FaultSurface<dim>
-  BodyMesh<dim>::surface(const types::boundary_id side) const
+  BodySides<dim>::surface(const types::boundary_id side) const
   {
     constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_face;
 
@@ -72,7 +72,7 @@ namespace StickSlip
 
     std::map<types::global_dof_index, Point<dim>> nodes;
     std::vector<Face>                             faces;
-    for (const auto &cell : dofs->active_cell_iterators())
+    for (const auto &cell : dofs.active_cell_iterators())
       if (cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == side)
@@ -140,21 +140,6 @@ namespace StickSlip
 
 
 
-  template <int dim>
-  std::vector<types::global_dof_index>
-  BodyMesh<dim>::dofs_on_side(const types::boundary_id side) const
-  {
-    return surface(side).nodes;
-  }
-
-
-
-#define STICKSLIP_INSTANTIATE(dim)                                            \
-  template FaultSurface<dim> BodyMesh<dim>::surface(const types::boundary_id) \
-    const;                                                                    \
-  template std::vector<types::global_dof_index> BodyMesh<dim>::dofs_on_side(  \
-    const types::boundary_id) const;
-
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template struct BodySides<2>;
+  template struct BodySides<3>;
 } // namespace StickSlip

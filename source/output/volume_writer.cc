@@ -111,11 +111,10 @@ namespace StickSlip
         for_each_cell([&](const unsigned int body, const auto &cell) {
           const std::vector<unsigned int> order =
             vtk_order<dim>(cell->reference_cell());
-          for (unsigned int v = 0; v < vertices_per_cell; ++v)
+          for (const unsigned int v : order)
             result.push_back(
-              v < order.size() ?
-                level.serial_node(body, cell->vertex_dof_index(order[v], 0)) :
-                -1);
+              level.serial_node(body, cell->vertex_dof_index(v, 0)));
+          result.resize(result.size() + vertices_per_cell - order.size(), -1);
         });
         return result;
       }

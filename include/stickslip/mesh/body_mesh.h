@@ -169,12 +169,6 @@ namespace StickSlip
     void
     bind_nodes();
 
-    /** The degree of freedom that stands for the vertex of a side and its
-     * images, and how many periods the vertex lies from it. */
-    std::pair<types::global_dof_index, std::array<int, dim - 1>>
-    node_of_vertex(const types::global_dof_index dof,
-                   const Point<dim>             &vertex) const;
-
     /** Lower end of the body, and its length along periodic axes. */
     std::array<double, dim - 1> lateral_lower;
     Tensor<1, dim - 1>          period;
