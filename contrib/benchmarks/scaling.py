@@ -3,13 +3,16 @@
 # Copyright (C) 2026 by the stickslip authors
 """Measure one rate problem on several numbers of processes.
 
-Usage: contrib/scaling [--quick]
+Usage: contrib/scaling [--quick | --large]
 
 Writes
 doc/data/scaling.csv and the tables between the marks in doc/parallel.md; with
 --quick the small problems are measured and shown, and nothing is written. Takes some
 minutes and 3 GiB of memory, with --quick one minute. The machine should have
 nothing else to do.
+
+--large measures problems in three dimensions of up to 1e7 unknowns on two processes,
+in ten minutes and 22 GiB of memory, and writes doc/data/large.csv and their table.
 """
 
 import csv
@@ -21,6 +24,7 @@ from common import csv_file, page, programs
 
 PAGE = programs.PROJECT / "doc/parallel.md"
 DATA = programs.PROJECT / "doc/data/scaling.csv"
+LARGE_DATA = programs.PROJECT / "doc/data/large.csv"
 
 
 @dataclasses.dataclass
@@ -87,10 +91,37 @@ PROBLEMS = [
 ]
 
 
-def measure(problem, n_processes):
+def inviscid_blocks(coarse_cells, refinements):
+    return Problem(
+        f"blocks-{coarse_cells}-{refinements}",
+        "",
+        bodies(
+            Coarse_cells=coarse_cells,
+            Refinement_passes="0",
+            Uniform_refinements=str(refinements),
+        )
+        | {
+            f"Bodies/{body}/Material/{kind} viscosity": "0"
+            for body in ("lower", "upper")
+            for kind in ("Shear", "Bulk")
+        },
+        (2,),
+        scene="contrib/benchmarks/scaling_blocks.prm",
+    )
+
+
+LARGE = [
+    inviscid_blocks("10, 10, 2", 2),
+    inviscid_blocks("10, 10, 2", 3),
+    inviscid_blocks("10, 10, 2", 4),
+    inviscid_blocks("14, 14, 2", 4),
+]
+
+
+def measure(problem, n_processes, *options):
     command = ["mpirun", "-np", str(n_processes)]
     command += [str(programs.PROJECT / "build/rate_problem"), problem.scene]
-    command += programs.options(NUCLEATING | problem.overrides)
+    command += [*programs.options(NUCLEATING | problem.overrides), *options]
     output = subprocess.run(
         command, cwd=programs.PROJECT, check=True, stdout=subprocess.PIPE, text=True
     ).stdout
@@ -130,10 +161,48 @@ def table(problem, rows):
     yield "\n" + page.table([title for _, title, _ in COLUMNS], cells)
 
 
+LARGE_COLUMNS = [
+    ("unknowns", "unknowns", "{:,.0f}"),
+    ("levels", "levels", "{:.0f}"),
+    ("fault_nodes", "fault nodes", "{:,.0f}"),
+    ("tnnmg_iterations", "TNNMG iterations", "{:.0f}"),
+    ("equilibrium_iterations", "CG at the start", "{:.0f}"),
+    ("meshes_s", "meshes, s", "{:.1f}"),
+    ("matrices_and_contact_s", "matrices, contact, s", "{:.1f}"),
+    ("equilibrium_s", "start, s", "{:.1f}"),
+    ("solve_s", "rate problem, s", "{:.2f}"),
+    ("bytes_per_unknown", "bytes an unknown", "{:,.0f}"),
+    ("meshes_MiB", "MiB of a process, meshes made", "{:,.0f}"),
+    ("largest_MiB", "at most", "{:,.0f}"),
+]
+
+
+def measure_large():
+    rows = []
+    for problem in LARGE:
+        rows.append(measure(problem, 2, "--repetitions", "1"))
+        print(f"{rows[-1]['unknowns']} unknowns: {rows[-1]['solve_s']} s", flush=True)
+    csv_file.write(LARGE_DATA, rows[0].keys(), rows)
+    write_large_table(rows)
+
+
+def write_large_table(rows):
+    cells = [
+        [form.format(float(row[key])) for key, _, form in LARGE_COLUMNS] for row in rows
+    ]
+    text = "\n" + page.table([title for _, title, _ in LARGE_COLUMNS], cells) + "\n"
+    page.replace_section("large problems", text, PAGE, "contrib/scaling --large")
+    print(f"{PAGE} and {LARGE_DATA} are written.")
+
+
 def main():
     parser = programs.argument_parser(__doc__)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--large", action="store_true")
     arguments = parser.parse_args()
+    if arguments.large:
+        measure_large()
+        return 0
 
     measured, text = [], [f"\nMeasured on: {programs.machine()}.\n"]
     for problem in PROBLEMS:
