@@ -334,7 +334,7 @@ namespace StickSlip
                        const unsigned int n_processes) const
   {
     const double of_meshes = dim == 2 ? 0.7e3 : 1.1e3,
-                 of_rest   = dim == 2 ? 4.6e3 : 22e3;
+                 of_rest   = dim == 2 ? 2.8e3 : 9e3;
     return n_processes * (175. * 1048576. + of_meshes * nodes) +
            of_rest * nodes;
   }

@@ -58,7 +58,7 @@ namespace StickSlip
      * Memory of all @p n_processes processes on one machine, bytes: what was
      * measured in doc/performance.md and doc/parallel.md, 175 MiB for the
      * program, and for each node 0.7 kB of meshes in two dimensions and 1.1 kB
-     * in three, on every process, and 4.6 kB or 22 kB of matrices and vectors
+     * in three, on every process, and 2.8 kB or 9 kB of matrices and vectors
      * among them.
      */
     double
