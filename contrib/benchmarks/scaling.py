@@ -147,6 +147,14 @@ COLUMNS = [
 ]
 
 
+def table_of(columns, rows):
+    """Rows by the names of their values, in Markdown."""
+    return page.table(
+        [title for _, title, _ in columns],
+        [[form.format(float(row[key])) for key, _, form in columns] for row in rows],
+    )
+
+
 def table(problem, rows):
     """The rows of one problem, in Markdown."""
     first = rows[0]
@@ -157,8 +165,8 @@ def table(problem, rows):
         values = {key: row[key] for key in row if key != "problem"}
         values["speed-up"] = float(first["solve_s"]) / float(row["solve_s"])
         values["memory"] = float(row["largest_MiB"]) / float(first["largest_MiB"])
-        cells.append([form.format(float(values[key])) for key, _, form in COLUMNS])
-    yield "\n" + page.table([title for _, title, _ in COLUMNS], cells)
+        cells.append(values)
+    yield "\n" + table_of(COLUMNS, cells)
 
 
 LARGE_COLUMNS = [
@@ -187,10 +195,7 @@ def measure_large():
 
 
 def write_large_table(rows):
-    cells = [
-        [form.format(float(row[key])) for key, _, form in LARGE_COLUMNS] for row in rows
-    ]
-    text = "\n" + page.table([title for _, title, _ in LARGE_COLUMNS], cells) + "\n"
+    text = table_of(LARGE_COLUMNS, rows)
     page.replace_section("large problems", text, PAGE, "contrib/scaling --large")
     print(f"{PAGE} and {LARGE_DATA} are written.")
 

@@ -87,15 +87,9 @@ namespace StickSlip
   {
     const unsigned int diagonal = pattern->diagonal[i];
     for (unsigned int k = pattern->row_start[i]; k < diagonal; ++k)
-      action(k,
-             upper.data() +
-               std::size_t(mirror[k - upper_start[i]]) * block_size,
-             true);
+      action(k, opposite_block(i, k), true);
     for (unsigned int k = diagonal; k < pattern->row_start[i + 1]; ++k)
-      action(k,
-             upper.data() +
-               std::size_t(upper_start[i] + (k - diagonal)) * block_size,
-             false);
+      action(k, upper_block(i, k), false);
   }
 
 
@@ -188,13 +182,9 @@ namespace StickSlip
     Tensor<2, n_components> result;
     if (is_symmetric())
       {
-        const unsigned int diagonal = pattern->diagonal[row];
-        const bool         is_lower = position < diagonal;
-        const double      *block =
-          upper.data() +
-          block_size * std::size_t(is_lower ?
-                                     mirror[position - upper_start[row]] :
-                                     upper_start[row] + (position - diagonal));
+        const bool    is_lower = position < pattern->diagonal[row];
+        const double *block =
+          is_lower ? opposite_block(row, position) : upper_block(row, position);
         for (unsigned int c = 0; c < n_components; ++c)
           for (unsigned int d = 0; d < n_components; ++d)
             result[c][d] = is_lower ? block[d * n_components + c] :

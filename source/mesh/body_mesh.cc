@@ -142,7 +142,6 @@ namespace StickSlip
               mesh = red_refinements.back()->mesh;
             }
           distribute_dofs();
-          bind_nodes();
           return;
         }
 
@@ -164,7 +163,6 @@ namespace StickSlip
       }
     mesh = refined;
     distribute_dofs();
-    bind_nodes();
   }
 
 
@@ -185,7 +183,6 @@ namespace StickSlip
         coarser_cells.erase(coarser_cells.begin());
         mesh = coarse_cells;
         distribute_dofs();
-        bind_nodes();
         return;
       }
 
@@ -196,7 +193,6 @@ namespace StickSlip
           mesh = red_refinements.empty() ? coarse_cells :
                                            red_refinements.back()->mesh;
           distribute_dofs();
-          bind_nodes();
           return;
         }
 
@@ -210,26 +206,7 @@ namespace StickSlip
       straighten_hanging_vertices(*refined);
     mesh = refined;
     distribute_dofs();
-    bind_nodes();
   }
-
-
-
-  namespace
-  {
-    /** The degree of freedom at each vertex. */
-    template <int dim>
-    std::vector<types::global_dof_index>
-    dofs_of_vertices(const DoFHandler<dim> &dofs)
-    {
-      std::vector<types::global_dof_index> result(
-        dofs.get_triangulation().n_vertices(), numbers::invalid_dof_index);
-      for (const auto &cell : dofs.active_cell_iterators())
-        for (const auto v : cell->vertex_indices())
-          result[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
-      return result;
-    }
-  } // namespace
 
 
 
@@ -242,15 +219,15 @@ namespace StickSlip
   {
     PartialMesh<dim> kept(*whole.mesh, is_kept);
     mesh = kept.mesh;
-    distribute_dofs();
+    number_dofs();
 
     part        = Part();
     part->whole = whole.figures();
     part->cells = std::move(kept.cells);
     part->dofs.resize(dofs->n_dofs());
-    const std::vector<types::global_dof_index> here = dofs_of_vertices(*dofs),
+    const std::vector<types::global_dof_index> here = dofs_of_vertices(),
                                                in_whole =
-                                                 dofs_of_vertices(*whole.dofs);
+                                                 whole.dofs_of_vertices();
     std::vector<types::global_dof_index> number(whole.dofs->n_dofs(),
                                                 numbers::invalid_dof_index);
     for (unsigned int v = 0; v < here.size(); ++v)
@@ -310,7 +287,7 @@ namespace StickSlip
 
   template <int dim>
   void
-  BodyMesh<dim>::distribute_dofs()
+  BodyMesh<dim>::number_dofs()
   {
     dofs = std::make_unique<DoFHandler<dim>>(*mesh);
     if (mesh->all_reference_cells_are_hyper_cube())
@@ -323,8 +300,9 @@ namespace StickSlip
 
   template <int dim>
   void
-  BodyMesh<dim>::bind_nodes()
+  BodyMesh<dim>::distribute_dofs()
   {
+    number_dofs();
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
@@ -387,6 +365,20 @@ namespace StickSlip
   BodyMesh<dim>::dofs_on_side(const types::boundary_id side) const
   {
     return surface(side).nodes;
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  BodyMesh<dim>::dofs_of_vertices() const
+  {
+    std::vector<types::global_dof_index> result(mesh->n_vertices(),
+                                                numbers::invalid_dof_index);
+    for (const auto &cell : dofs->active_cell_iterators())
+      for (const auto v : cell->vertex_indices())
+        result[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
+    return result;
   }
 
 

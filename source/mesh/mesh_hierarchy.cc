@@ -34,13 +34,12 @@ namespace StickSlip
       std::vector<unsigned int> owners;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         {
-          const DoFHandler<dim> &dofs  = bodies[b]->dof_handler();
-          const std::size_t      first = owners.size();
-          owners.resize(first + dofs.n_dofs());
-          for (const auto &cell : dofs.active_cell_iterators())
-            for (const auto v : cell->vertex_indices())
-              owners[first + cell->vertex_dof_index(v, 0)] =
-                vertex_owners[b][cell->vertex_index(v)];
+          const std::size_t first = owners.size();
+          owners.resize(first + bodies[b]->dof_handler().n_dofs());
+          const auto dofs = bodies[b]->dofs_of_vertices();
+          for (unsigned int v = 0; v < dofs.size(); ++v)
+            if (dofs[v] != numbers::invalid_dof_index)
+              owners[first + dofs[v]] = vertex_owners[b][v];
         }
       return owners;
     }
@@ -314,10 +313,12 @@ namespace StickSlip
         prolongations.emplace_back(levels[l + 1], levels[l], wanted);
       }
     if (n_processes > 1)
-      for (MeshLevel<dim> &level : levels)
-        level.keep_own_cells();
-    meshes.clear();
-    give_back_freed_memory();
+      {
+        for (MeshLevel<dim> &level : levels)
+          level.keep_own_cells();
+        meshes.clear();
+        give_back_freed_memory();
+      }
     std::reverse(levels.begin(), levels.end());
     std::reverse(prolongations.begin(), prolongations.end());
   }

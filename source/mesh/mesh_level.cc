@@ -52,7 +52,6 @@ namespace StickSlip
     , first_node{0}
     , global_numbers(node_owners.size())
     , first_serial_cell{0}
-    , n_all_nodes(node_owners.size())
   {
     for (const auto &body : bodies)
       {
@@ -80,15 +79,12 @@ namespace StickSlip
           serial_nodes.push_back(i);
       }
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      {
-        for (const auto &line : bodies[b]->bound_nodes().get_lines())
+      for (const auto &line : bodies[b]->bound_nodes().get_lines())
+        {
+          GlobalRow &row = bound_rows[first_node[b] + line.index];
           for (const auto &master : line.entries)
-            bound_rows[first_node[b] + line.index].emplace_back(
-              global_node(b, master.first), master.second);
-        for (const Point<dim> &vertex :
-             bodies[b]->triangulation().get_vertices())
-          vertex_checksum = crc32(&vertex, sizeof(vertex), vertex_checksum);
-      }
+            row.emplace_back(global_node(b, master.first), master.second);
+        }
 
     for (const Fault &fault : topology.faults())
       {
@@ -198,9 +194,25 @@ namespace StickSlip
 
 
   template <int dim>
+  std::uint32_t
+  MeshLevel<dim>::checksum() const
+  {
+    if (whole_checksum)
+      return *whole_checksum;
+    std::uint32_t result = 0;
+    for (const auto &body : bodies)
+      for (const Point<dim> &vertex : body->triangulation().get_vertices())
+        result = crc32(&vertex, sizeof(vertex), result);
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   MeshLevel<dim>::keep_own_cells()
   {
+    whole_checksum = checksum();
     std::vector<std::vector<bool>> is_kept;
     for (const auto &body : bodies)
       is_kept.emplace_back(body->triangulation().n_active_cells(), false);

@@ -95,13 +95,11 @@ namespace StickSlip
       std::vector<types::global_dof_index>
       nodes_of_vertices(const MeshLevel<dim> &level) const
       {
-        std::vector<types::global_dof_index> nodes(
-          level.bodies[body]->triangulation().n_vertices());
-        for (const auto &cell :
-             level.bodies[body]->dof_handler().active_cell_iterators())
-          for (const auto v : cell->vertex_indices())
-            nodes[cell->vertex_index(v)] =
-              level.global_node(body, cell->vertex_dof_index(v, 0));
+        std::vector<types::global_dof_index> nodes =
+          level.bodies[body]->dofs_of_vertices();
+        for (types::global_dof_index &node : nodes)
+          if (node != numbers::invalid_dof_index)
+            node = level.global_node(body, node);
         return nodes;
       }
 

@@ -45,9 +45,15 @@ namespace StickSlip
       explicit OwnVolume(const MeshLevel<dim> &level)
         : level(level)
       {
-        for (const auto &body : level.bodies)
-          index_of_dof.emplace_back(body->dof_handler().n_dofs(),
-                                    numbers::invalid_unsigned_int);
+        for (unsigned int body = 0; body < level.bodies.size(); ++body)
+          {
+            const DoFHandler<dim> &dofs = level.bodies[body]->dof_handler();
+            index_of_dof.emplace_back(dofs.n_dofs(),
+                                      numbers::invalid_unsigned_int);
+            own_cells.emplace_back();
+            for (const auto &cell : dofs.active_cell_iterators())
+              own_cells.back().push_back(is_own(body, cell));
+          }
         for_each_cell([&](const unsigned int body, const auto &cell) {
           cells.push_back(level.serial_cell(body, cell->active_cell_index()));
           for (const auto v : cell->vertex_indices())
@@ -73,7 +79,7 @@ namespace StickSlip
         for (unsigned int body = 0; body < level.bodies.size(); ++body)
           for (const auto &cell :
                level.bodies[body]->dof_handler().active_cell_iterators())
-            if (is_own(body, cell))
+            if (own_cells[body][cell->active_cell_index()])
               action(body, cell);
       }
 
@@ -141,6 +147,8 @@ namespace StickSlip
         return level.nodes.owned().is_element(least);
       }
 
+      /** By the numbers of active cells of each body. */
+      std::vector<std::vector<bool>>         own_cells;
       std::vector<std::vector<unsigned int>> index_of_dof;
       std::vector<GlobalRow>                 rows;
     };

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace StickSlip
 {
@@ -37,14 +36,12 @@ namespace StickSlip
                      const std::vector<std::string> &body_names)
     {
       const MeshLevel<dim> &finest = meshes.finest();
-      MeshFigures           all    = finest.bodies[0]->figures();
+      MeshFigures           all;
       for (unsigned int i = 0; i < finest.bodies.size(); ++i)
         {
           const MeshFigures one = finest.bodies[i]->figures();
           add_figures(one,
                       summary.add_section("Mesh of body " + body_names[i]));
-          if (i == 0)
-            continue;
           all.n_vertices += one.n_vertices;
           all.n_cells += one.n_cells;
           all.smallest = std::min(all.smallest, one.smallest);

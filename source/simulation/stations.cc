@@ -114,14 +114,10 @@ namespace StickSlip
       const BodyMesh<dim> &mesh = *level.bodies[body];
       const auto found = PlaceFinder<dim>(mesh.triangulation()).find(point);
 
-      std::map<unsigned int, types::global_dof_index> dof_of_vertex;
-      for (const auto &cell : mesh.dof_handler().active_cell_iterators())
-        for (const auto v : cell->vertex_indices())
-          dof_of_vertex[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
-      BodyPlace place;
+      const std::vector<types::global_dof_index> dofs = mesh.dofs_of_vertices();
+      BodyPlace                                  place;
       for (const auto &[vertex, value] : found.values)
-        for (const auto &[node, factor] :
-             level.resolve(body, dof_of_vertex.at(vertex)))
+        for (const auto &[node, factor] : level.resolve(body, dofs[vertex]))
           place.values[node] += factor * value;
       place.distance = found.distance;
       place.size     = found.size;

@@ -128,6 +128,21 @@ namespace StickSlip
     const double *
     stored_blocks(const unsigned int i) const;
 
+    /** The block at a position of a row of a symmetric matrix, from the
+     * diagonal on, or the one opposite to it, below the diagonal. */
+    const double *
+    upper_block(const unsigned int i, const unsigned int position) const
+    {
+      return upper.data() + block_size * std::size_t(upper_start[i] + position -
+                                                     pattern->diagonal[i]);
+    }
+    const double *
+    opposite_block(const unsigned int i, const unsigned int position) const
+    {
+      return upper.data() +
+             block_size * std::size_t(mirror[position - upper_start[i]]);
+    }
+
     /** Call @p action(k, block, is_transposed) for the positions @p k of a row
      * of a symmetric matrix. */
     template <typename Action>

@@ -12,6 +12,7 @@
 #include <stickslip/mesh/fault_surface.h>
 #include <stickslip/mesh/red_refinement.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -28,7 +29,7 @@ namespace StickSlip
   struct MeshFigures
   {
     unsigned int n_vertices = 0, n_cells = 0;
-    double       smallest = 0, largest = 0;
+    double       smallest = std::numeric_limits<double>::max(), largest = 0;
   };
 
   /**
@@ -103,6 +104,11 @@ namespace StickSlip
     std::vector<types::global_dof_index>
     dofs_on_side(const types::boundary_id side) const;
 
+    /** The degree of freedom at each vertex of the triangulation, invalid where
+     * no active cell has it. */
+    std::vector<types::global_dof_index>
+    dofs_of_vertices() const;
+
     /** Reference positions of all nodes. */
     std::vector<Point<dim>>
     node_positions() const;
@@ -163,11 +169,13 @@ namespace StickSlip
     void
     join_periodic_sides(Triangulation<dim> &triangulation) const;
 
+    /** Number the degrees of freedom. */
+    void
+    number_dofs();
+
+    /** Number the degrees of freedom, and find the bound nodes. */
     void
     distribute_dofs();
-
-    void
-    bind_nodes();
 
     /** Lower end of the body, and its length along periodic axes. */
     std::array<double, dim - 1> lateral_lower;

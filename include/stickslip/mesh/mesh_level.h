@@ -10,6 +10,7 @@
 #include <stickslip/mesh/body_mesh.h>
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 namespace StickSlip
@@ -55,7 +56,7 @@ namespace StickSlip
     types::global_dof_index
     n_nodes() const
     {
-      return n_all_nodes;
+      return first_serial_node.back();
     }
 
     /** Number of active cells of all bodies. */
@@ -88,10 +89,7 @@ namespace StickSlip
 
     /** Checksum of the positions of all vertices, in their serial order. */
     std::uint32_t
-    checksum() const
-    {
-      return vertex_checksum;
-    }
+    checksum() const;
 
     /** The global number of the node at a degree of freedom of a body. */
     types::global_dof_index
@@ -135,12 +133,12 @@ namespace StickSlip
     std::vector<types::global_dof_index> global_numbers;
     /** Rows of the bound nodes by their position in global_numbers. */
     std::unordered_map<types::global_dof_index, GlobalRow> bound_rows;
-    types::global_dof_index                                n_all_nodes = 0;
     /** Serial numbers of the owned nodes, and of the first node and the first
      * cell of each body. */
     std::vector<types::global_dof_index> serial_nodes, first_serial_node,
       first_serial_cell;
-    std::uint32_t vertex_checksum = 0;
+    /** The checksum, if only parts of the meshes are here. */
+    std::optional<std::uint32_t> whole_checksum;
     /** First and second side of each fault. */
     std::vector<std::array<FaultSurface<dim>, 2>> surfaces;
     IndexSet                                      strip_nodes;
