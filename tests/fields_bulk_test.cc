@@ -88,7 +88,7 @@ TEST(BulkFields, ExpressionsOfConstantValueGiveTheMatricesOfNumbers)
 {
   const MeshHierarchy<2> meshes = make_brick<2>(3);
   for (const VolumetricStrain strain :
-       {VolumetricStrain::full, VolumetricStrain::cell_mean})
+       {VolumetricStrain::full, VolumetricStrain::patch_mean})
     {
       MaterialFields numbers = make_material("3e7", "0.2", "4e3", "2e3", "3e3");
       MaterialFields expressions = make_material(
@@ -148,7 +148,7 @@ namespace
     const double   eta      = 1e3 * (40. - square[0] + mean[1]);
     const double   zeta     = 1e3 * (50. + 2. * mean[0] - square[1]);
     for (const VolumetricStrain strain :
-         {VolumetricStrain::full, VolumetricStrain::cell_mean})
+         {VolumetricStrain::full, VolumetricStrain::patch_mean})
       {
         material.volumetric_strain = strain;
         const auto matrices = assemble_elastic_matrices(level, {material});

@@ -168,7 +168,7 @@ subsection Boundary conditions
   end
 end
 )";
-  for (const std::string strain : {"full", "cell mean"})
+  for (const std::string strain : {"full", "patch mean"})
     {
       const SceneParameters<2> scene =
         read_scene(text,

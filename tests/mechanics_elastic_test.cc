@@ -65,7 +65,7 @@ namespace
 
 
   constexpr VolumetricStrain both_strains[] = {VolumetricStrain::full,
-                                               VolumetricStrain::cell_mean};
+                                               VolumetricStrain::patch_mean};
 
   template <int dim>
   Scene<dim>
@@ -371,7 +371,7 @@ TEST(ElasticMatrices, OnlyTheMeanChangeOfVolumeIsResistedIfAskedFor)
       material.volumetric_strain = strain;
       const auto matrices =
         assemble_elastic_matrices(meshes.finest(), {material});
-      energy[strain == VolumetricStrain::cell_mean] =
+      energy[strain == VolumetricStrain::patch_mean] =
         0.5 * product(u, matrices.stiffness, u);
     }
   // Rows of cells of 0.5 m around y = 0.25 and 0.75: means -0.25 and 0.25,

@@ -394,8 +394,8 @@ TEST(ManufacturedSolution, NearlyIncompressible)
   };
   const auto compressible = errors(VolumetricStrain::full, 0.3);
   const auto locked       = errors(VolumetricStrain::full, 0.4999);
-  const auto cured        = errors(VolumetricStrain::cell_mean, 0.4999);
-  const auto mean         = errors(VolumetricStrain::cell_mean, 0.3);
+  const auto cured        = errors(VolumetricStrain::patch_mean, 0.4999);
+  const auto mean         = errors(VolumetricStrain::patch_mean, 0.3);
   for (const auto &e : {compressible, locked, cured, mean})
     std::cout << "errors " << e[0] << ' ' << e[1] << '\n';
   for (const unsigned int k : {0, 1})

@@ -21,7 +21,7 @@ namespace
   {
     Material material;
     material.poissons_ratio    = poissons_ratio;
-    material.volumetric_strain = VolumetricStrain::cell_mean;
+    material.volumetric_strain = VolumetricStrain::patch_mean;
     SpatialScene<2> scene(
       stack<2>(
         {make_body<2>(1., {{10, 2}}, 4), make_body<2>(1., {{10, 2}}, 4)}),

@@ -51,7 +51,11 @@ namespace StickSlip
                  const Tensor<1, dim>                      &gravity,
                  const MPI_Comm     communicator          = MPI_COMM_WORLD,
                  const unsigned int min_nodes_per_process = 500)
-      : meshes(bodies, communicator, min_nodes_per_process)
+      : meshes(with_patches(bodies, materials),
+               stack_topology<dim>(names(bodies.size()),
+                                   names(bodies.size() - 1)),
+               communicator,
+               min_nodes_per_process)
       , materials(materials)
       , boundary(meshes, conditions, names(bodies.size()))
       , problem(meshes, {materials.begin(), materials.end()}, boundary, gravity)
@@ -85,6 +89,21 @@ namespace StickSlip
                      communicator,
                      min_nodes_per_process)
     {}
+
+    /** Bricks whose patches are coupled as their materials ask for. */
+    static std::vector<CoarseBody<dim>>
+    with_patches(const std::vector<BodyGeometry<dim>> &bodies,
+                 const std::vector<Material>          &materials)
+    {
+      std::vector<CoarseBody<dim>> result;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          result.push_back(coarse_brick(bodies[b]));
+          result.back().couples_patches =
+            materials[b].volumetric_strain == VolumetricStrain::patch_mean;
+        }
+      return result;
+    }
 
     static std::vector<std::string>
     names(const unsigned int n)

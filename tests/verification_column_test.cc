@@ -2,15 +2,13 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/base/magnitude.h>
-#include <stickslip/problem/shear_traction.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "column_scenes.h"
 #include "slip_rate_series.h"
-#include "stepping_scene.h"
+#include "step_errors.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -206,68 +204,6 @@ TEST(Column, SecondOrderInMeshAndStep)
 
 
 
-namespace
-{
-  /** The error of the last step of @p scene from @p before, found by steps of a
-   * sixteenth, in the measures of StepHistory. */
-  StepError
-  error_of_last_step(const WaveColumn     &column,
-                     SteppingScene        &scene,
-                     const SystemState<2> &before,
-                     const double          tau)
-  {
-    constexpr unsigned int n_parts = 16;
-
-    SystemState<2> exact = before;
-    for (unsigned int i = 0; i < n_parts; ++i)
-      {
-        const StepResult<2> part = scene.step->take(exact, tau / n_parts);
-        EXPECT_TRUE(part.converged);
-        exact = part.state;
-      }
-    StepError                  error;
-    const SystemState<2>      &ours  = scene.state;
-    const std::vector<double> &areas = scene.faults.weights();
-    double                     area = 0., of_state = 0., of_motion = 0.;
-    for (unsigned int k = 0; k < scene.faults.size(); ++k)
-      {
-        const FaultLaw &law = scene.laws[k];
-        const double    V   = magnitude(ours.slip_rate[k]),
-                     error_of_V =
-                       magnitude(ours.slip_rate[k] - exact.slip_rate[k]),
-                     in_friction = magnitude(
-                       directed_friction(scene.faults, scene.laws, ours, k) -
-                       directed_friction(scene.faults, scene.laws, exact, k)),
-                     motion =
-                       std::min(error_of_V /
-                                  std::max(V, law.characteristic_slip / tau),
-                                in_friction / law.friction->rate_scale());
-        area += areas[k];
-        of_state += areas[k] * std::pow(ours.alpha[k] - exact.alpha[k], 2);
-        of_motion += areas[k] * motion * motion;
-      }
-    error.faults = std::sqrt((of_state + of_motion) / area);
-
-    const std::vector<double> &masses = scene.problem.nodal_masses();
-    double                     sum = 0., squares = 0.;
-    for (unsigned int i = 0; i < masses.size(); ++i)
-      {
-        const double e = std::hypot(ours.velocity.local_element(2 * i) -
-                                      exact.velocity.local_element(2 * i),
-                                    ours.velocity.local_element(2 * i + 1) -
-                                      exact.velocity.local_element(2 * i + 1));
-        sum += masses[i] * e;
-        squares += masses[i] * e * e;
-      }
-    error.bodies = squares / sum *
-                   std::sqrt(column.density * column.shear_modulus) /
-                   (std::max(column.a, column.b) * column.normal_stress);
-    return error;
-  }
-} // namespace
-
-
-
 // As the pull sets in, while the bodies ring with their fault stuck, and in the
 // waves of a traction that is switched on.
 TEST(Column, EstimatesAreThatOfTheError)
@@ -287,7 +223,7 @@ TEST(Column, EstimatesAreThatOfTheError)
         const SystemState<2> before = scene.state;
         const double         tau    = scene.advance().front().step_size;
         const double         error =
-          error_of_last_step(column, scene, before, tau).bodies;
+          error_of_last_step(scene, before, tau).bodies;
         ratios.push_back(scene.memory.last_error.bodies / error);
         largest = std::max(largest, error);
       }

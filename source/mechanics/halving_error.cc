@@ -107,23 +107,26 @@ namespace StickSlip
           coarse.bodies[body]->dof_handler().get_fe();
         const VertexValues<n_components> values =
           values_at<dim, n_components>(coarse, coarse_field, body, cell);
+        // The children are a patch of the finer mesh.
+        std::vector<CellIterator<dim>>          children;
+        std::vector<VertexValues<n_components>> present, missing;
         for (unsigned int child = 0; child < fine_cell->n_children(); ++child)
           {
-            const CellIterator<dim> fine_child = fine_cell->child(child);
-
-            VertexValues<n_components> difference =
-              values_at<dim, n_components>(fine, fine_field, body, fine_child);
-            error.energy += strain_energy(body, fine_child, difference);
+            children.push_back(fine_cell->child(child));
+            present.push_back(values_at<dim, n_components>(
+              fine, fine_field, body, children.back()));
+            missing.push_back(present.back());
             const VertexValues<n_components> interpolated =
               product(fe.get_prolongation_matrix(child,
                                                  fine_cell->refinement_case()),
                       values);
-            for (unsigned int v = 0; v < difference.size(); ++v)
-              difference[v] -= interpolated[v];
-            const double missing = strain_energy(body, fine_child, difference);
-            error.of_cells[body][cell->active_cell_index()] += missing;
-            error.sum += missing;
+            for (unsigned int v = 0; v < interpolated.size(); ++v)
+              missing.back()[v] -= interpolated[v];
           }
+        error.energy += strain_energy(body, children, present);
+        const double of_cell = strain_energy(body, children, missing);
+        error.of_cells[body][cell->active_cell_index()] += of_cell;
+        error.sum += of_cell;
       }
 
       const MeshLevel<dim>           &coarse;

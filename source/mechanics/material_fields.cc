@@ -91,12 +91,12 @@ namespace StickSlip
                "Volumetric strain",
                volumetric_strain,
                {{VolumetricStrain::full, "full"},
-                {VolumetricStrain::cell_mean, "cell mean"}},
-               "What resists the change of volume in a cell: that at each "
-               "point (full), or its mean over the cell (cell mean). The "
-               "latter is for nearly incompressible bodies, from a Poisson "
-               "ratio of about 0.45 on, which are far too stiff in bending "
-               "otherwise.");
+                {VolumetricStrain::patch_mean, "patch mean"}},
+               "What resists the change of volume: that at each point (full), "
+               "or its mean over the cells that a coarser one was refined into "
+               "(patch mean). The latter is for nearly incompressible bodies, "
+               "from a Poisson ratio of about 0.45 on, which are far too stiff "
+               "in bending otherwise.");
   }
 
 

@@ -30,47 +30,53 @@ namespace StickSlip
   template <int dim, int n_components>
   double
   StrainEnergy<dim, n_components>::operator()(
-    const unsigned int                             body,
-    const typename DoFHandler<dim>::cell_iterator &cell,
-    const std::vector<Tensor<1, n_components>>    &displacements)
+    const unsigned int                                         body,
+    const std::vector<typename DoFHandler<dim>::cell_iterator> &cells,
+    const std::vector<std::vector<Tensor<1, n_components>>>    &displacements)
   {
     FEValues<dim> &fe_values = *values_of_body[body];
-    fe_values.reinit(
-      static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
-    materials.reinit(body, fe_values);
     double energy = 0., volume = 0., volume_change = 0., bulk_modulus = 0.;
     bool   is_mean = false;
-    for (const unsigned int q : fe_values.quadrature_point_indices())
+    for (unsigned int k = 0; k < cells.size(); ++k)
       {
-        const Material &material = materials[q];
-        const double    JxW = fe_values.JxW(q), mu = material.shear_modulus();
-        if constexpr (n_components == 1)
+        fe_values.reinit(
+          static_cast<const typename Triangulation<dim>::cell_iterator &>(
+            cells[k]));
+        materials.reinit(body, fe_values);
+        for (const unsigned int q : fe_values.quadrature_point_indices())
           {
-            // Shear out of the plane.
-            Tensor<1, dim> gradient;
-            for (unsigned int i = 0; i < displacements.size(); ++i)
-              gradient += displacements[i][0] * fe_values.shape_grad(i, q);
-            energy += 0.5 * mu * gradient.norm_square() * JxW;
-          }
-        else
-          {
-            Tensor<2, dim> gradient;
-            for (unsigned int i = 0; i < displacements.size(); ++i)
-              gradient +=
-                outer_product(displacements[i], fe_values.shape_grad(i, q));
-            const Tensor<2, dim> strain =
-              0.5 * (gradient + transpose(gradient));
-            const double dilatation = trace(strain);
-            is_mean = material.volumetric_strain == VolumetricStrain::cell_mean;
-            // The deviator is that of three dimensions.
-            const double lambda =
-              is_mean ? -2. * mu / 3. : material.lame_lambda();
-            energy += (0.5 * lambda * dilatation * dilatation +
-                       mu * strain.norm_square()) *
-                      JxW;
-            volume += JxW;
-            volume_change += dilatation * JxW;
-            bulk_modulus += material.bulk_modulus() * JxW;
+            const Material &material = materials[q];
+            const double    JxW = fe_values.JxW(q), mu = material.shear_modulus();
+            if constexpr (n_components == 1)
+              {
+                // Shear out of the plane.
+                Tensor<1, dim> gradient;
+                for (unsigned int i = 0; i < displacements[k].size(); ++i)
+                  gradient +=
+                    displacements[k][i][0] * fe_values.shape_grad(i, q);
+                energy += 0.5 * mu * gradient.norm_square() * JxW;
+              }
+            else
+              {
+                Tensor<2, dim> gradient;
+                for (unsigned int i = 0; i < displacements[k].size(); ++i)
+                  gradient += outer_product(displacements[k][i],
+                                            fe_values.shape_grad(i, q));
+                const Tensor<2, dim> strain =
+                  0.5 * (gradient + transpose(gradient));
+                const double dilatation = trace(strain);
+                is_mean =
+                  material.volumetric_strain == VolumetricStrain::patch_mean;
+                // The deviator is that of three dimensions.
+                const double lambda =
+                  is_mean ? -2. * mu / 3. : material.lame_lambda();
+                energy += (0.5 * lambda * dilatation * dilatation +
+                           mu * strain.norm_square()) *
+                          JxW;
+                volume += JxW;
+                volume_change += dilatation * JxW;
+                bulk_modulus += material.bulk_modulus() * JxW;
+              }
           }
       }
     if (is_mean)

@@ -125,6 +125,7 @@ namespace StickSlip
     : lateral_lower(body.lateral_lower)
     , period(body.period)
     , rigid(body.rigid)
+    , couples_patches(body.couples_patches)
     , coarse_cells(body.cells)
     , coarser_cells(body.coarser_cells)
   {
@@ -172,6 +173,7 @@ namespace StickSlip
     : lateral_lower(finer.lateral_lower)
     , period(finer.period)
     , rigid(finer.rigid)
+    , couples_patches(finer.couples_patches)
     , coarse_cells(finer.coarse_cells)
     , coarser_cells(finer.coarser_cells)
     , red_refinements(finer.red_refinements)
@@ -216,13 +218,15 @@ namespace StickSlip
     : lateral_lower(whole.lateral_lower)
     , period(whole.period)
     , rigid(whole.rigid)
+    , couples_patches(whole.couples_patches)
   {
     PartialMesh<dim> kept(*whole.mesh, is_kept);
     mesh = kept.mesh;
     number_dofs();
 
-    part        = Part();
-    part->whole = whole.figures();
+    cell_patches = CellPatches(whole.cell_patches, is_kept);
+    part         = Part();
+    part->whole  = whole.figures();
     part->cells = std::move(kept.cells);
     part->dofs.resize(dofs->n_dofs());
     const std::vector<types::global_dof_index> here = dofs_of_vertices(),
@@ -309,6 +313,10 @@ namespace StickSlip
         DoFTools::make_periodicity_constraints(
           *dofs, 2 * axis + 1, 2 * axis, axis, constraints);
     constraints.close();
+    if (couples_patches)
+      cell_patches = red_refinements.empty() ?
+                       CellPatches::of_trees(*mesh) :
+                       CellPatches::of_equal_parts(*mesh);
   }
 
 

@@ -15,26 +15,29 @@ namespace StickSlip
 {
   namespace
   {
-    /** Call @p visit(body, cell, nodes) on each cell, with the nodes to which
-     * its degrees of freedom are bound. */
+    /** Call @p visit(body, cells, nodes) on each patch of cells, with the nodes
+     * to which their degrees of freedom are bound. */
     template <int dim, typename Visitor>
     void
-    for_each_cell(const MeshLevel<dim> &level, const Visitor &visit)
+    for_each_patch(const MeshLevel<dim> &level, const Visitor &visit)
     {
       std::vector<types::global_dof_index> dofs, nodes;
       for (unsigned int b = 0; b < level.bodies.size(); ++b)
         {
           const DoFHandler<dim> &dof_handler = level.bodies[b]->dof_handler();
           dofs.resize(dof_handler.get_fe().n_dofs_per_cell());
-          for (const auto &cell : dof_handler.active_cell_iterators())
-            {
-              cell->get_dof_indices(dofs);
+          level.bodies[b]->patches().for_each(
+            dof_handler, [&](const auto &cells) {
               nodes.clear();
-              for (const auto dof : dofs)
-                for (const auto &entry : level.resolve(b, dof))
-                  nodes.push_back(entry.first);
-              visit(b, cell, nodes);
-            }
+              for (const auto &cell : cells)
+                {
+                  cell->get_dof_indices(dofs);
+                  for (const auto dof : dofs)
+                    for (const auto &entry : level.resolve(b, dof))
+                      nodes.push_back(entry.first);
+                }
+              visit(b, cells, nodes);
+            });
         }
     }
   } // namespace
@@ -107,17 +110,17 @@ namespace StickSlip
   {
     std::vector<types::global_dof_index> ghosts;
     if (owned.n_elements() < n_nodes())
-      for_each_cell(
+      for_each_patch(
         *this,
         [&](const unsigned int,
             const auto &,
-            const std::vector<types::global_dof_index> &cell_nodes) {
+            const std::vector<types::global_dof_index> &its_nodes) {
           const auto is_owned = [&](const types::global_dof_index node) {
             return owned.is_element(node);
           };
-          if (std::any_of(cell_nodes.begin(), cell_nodes.end(), is_owned))
-            std::remove_copy_if(cell_nodes.begin(),
-                                cell_nodes.end(),
+          if (std::any_of(its_nodes.begin(), its_nodes.end(), is_owned))
+            std::remove_copy_if(its_nodes.begin(),
+                                its_nodes.end(),
                                 std::back_inserter(ghosts),
                                 is_owned);
         });
@@ -134,18 +137,19 @@ namespace StickSlip
     for (unsigned int b = 0; b < bodies.size(); ++b)
       sides.push_back(topology.sides_at_faults(b));
     std::vector<types::global_dof_index> strip;
-    for_each_cell(*this,
-                  [&](const unsigned int                          body,
-                      const auto                                 &cell,
-                      const std::vector<types::global_dof_index> &cell_nodes) {
-                    if (cell->at_boundary())
-                      for (const auto &face : cell->face_iterators())
-                        if (face->at_boundary() &&
-                            sides[body].count(face->boundary_id()) > 0)
-                          strip.insert(strip.end(),
-                                       cell_nodes.begin(),
-                                       cell_nodes.end());
-                  });
+    for_each_patch(*this,
+                   [&](const unsigned int                          body,
+                       const auto                                 &cells,
+                       const std::vector<types::global_dof_index> &its_nodes) {
+                     for (const auto &cell : cells)
+                       if (cell->at_boundary())
+                         for (const auto &face : cell->face_iterators())
+                           if (face->at_boundary() &&
+                               sides[body].count(face->boundary_id()) > 0)
+                             strip.insert(strip.end(),
+                                          its_nodes.begin(),
+                                          its_nodes.end());
+                   });
     return make_index_set(n_nodes(), strip);
   }
 
@@ -216,19 +220,25 @@ namespace StickSlip
     std::vector<std::vector<bool>> is_kept;
     for (const auto &body : bodies)
       is_kept.emplace_back(body->triangulation().n_active_cells(), false);
-    for_each_cell(*this,
-                  [&](const unsigned int                          body,
-                      const auto                                 &cell,
-                      const std::vector<types::global_dof_index> &cell_nodes) {
-                    bool is_wanted = cell->at_boundary();
-                    for (const types::global_dof_index node : cell_nodes)
-                      is_wanted |= nodes.owned().is_element(node);
-                    // Hanging nodes are not among those that they are bound to.
-                    for (const auto v : cell->vertex_indices())
-                      is_wanted |= nodes.owned().is_element(
-                        global_node(body, cell->vertex_dof_index(v, 0)));
-                    is_kept[body][cell->active_cell_index()] = is_wanted;
-                  });
+    for_each_patch(*this,
+                   [&](const unsigned int                          body,
+                       const auto                                 &cells,
+                       const std::vector<types::global_dof_index> &its_nodes) {
+                     const auto is_owned =
+                       [&](const types::global_dof_index node) {
+                         return nodes.owned().is_element(node);
+                       };
+                     bool is_wanted =
+                       std::any_of(its_nodes.begin(), its_nodes.end(), is_owned);
+                     // Hanging nodes are not among those that they are bound to.
+                     for (const auto &cell : cells)
+                       for (const auto v : cell->vertex_indices())
+                         is_wanted |= is_owned(
+                           global_node(body, cell->vertex_dof_index(v, 0)));
+                     for (const auto &cell : cells)
+                       is_kept[body][cell->active_cell_index()] =
+                         is_wanted || cell->at_boundary();
+                   });
 
     std::vector<types::global_dof_index>                   first = {0}, numbers;
     std::unordered_map<types::global_dof_index, GlobalRow> rows;

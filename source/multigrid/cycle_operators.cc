@@ -22,11 +22,7 @@ namespace StickSlip
     for (unsigned int l = 0; l < levels.size(); ++l)
       levels[l].active = descriptions[l].fixed;
     if (levels.size() > 1)
-      levels.back().stiff_volumes =
-        find_stiff_volumes(terms.front().sparsity(),
-                           terms,
-                           descriptions.back().fixed,
-                           descriptions.back().nonsmooth_nodes);
+      levels.back().stiff_volumes = descriptions.back().stiff_volumes;
     set_up_level(levels.size() - 1, terms);
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
@@ -89,7 +85,8 @@ namespace StickSlip
                                              patches);
     if (patches.empty())
       return;
-    if (l > 0)
+    // Coarse cells keep the volumes of the patches on the finest level.
+    if (l > 0 && l + 1 < levels.size())
       level.middles = MiddleNodes<n_components>(
         description.to_coarser->prolongation(),
         description.to_coarser->coarse_nodes().n_owned(),

@@ -91,6 +91,32 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  StiffVolumes
+  EquationOfMotion<dim, n_components>::stiff_volumes() const
+  {
+    StiffVolumes result;
+    // In three dimensions patches have too many nodes to relax them at once.
+    if (n_components != 2)
+      return result;
+    const auto set = [&](const std::vector<unsigned int> &nodes,
+                         const Term                       term) {
+      if (nodes.empty())
+        return;
+      result.resize(nodal_terms->stiffness.n_rows(),
+                    numbers::invalid_unsigned_int);
+      const unsigned int position =
+        std::find(terms.begin(), terms.end(), term) - terms.begin();
+      for (const unsigned int i : nodes)
+        result[i] = position;
+    };
+    set(nodal_terms->stiff_volumes, stiffness);
+    set(nodal_terms->viscous_volumes, damping);
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
   const TermMatrix<n_components> &
   EquationOfMotion<dim, n_components>::term(const Term term) const
   {
@@ -149,6 +175,7 @@ namespace StickSlip
     std::vector<LevelDescription<n_components>> descriptions)
   {
     constant_load.reset();
+    descriptions.back().stiff_volumes = stiff_volumes();
     const NodeMask all(space.meshes().finest().nodes.n_local(), n_components);
     std::vector<TermMatrix<n_components>> jump_terms;
     for (const Term term : terms)

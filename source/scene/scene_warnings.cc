@@ -426,7 +426,7 @@ namespace StickSlip
               in_quotes(body.section() + "/Material/Poisson ratio") + " = '" +
               shortest_form(greatest) +
               "': cells are far too stiff in bending with 'Volumetric strain' = "
-              "'full'; choose 'cell mean'.");
+              "'full'; choose 'patch mean'.");
         }
     }
   } // namespace

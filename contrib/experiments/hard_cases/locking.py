@@ -23,7 +23,7 @@ def scene(ratio, strain, refinements):
 def measure(program, folder):
     """Print a line for each Poisson ratio and volumetric strain."""
     for ratio in (0.3, 0.49, 0.4999):
-        for strain in ("full", "cell mean"):
+        for strain in ("full", "patch mean"):
             energies = []
             for refinements in range(4):
                 result = run(program, text(scene(ratio, strain, refinements)),

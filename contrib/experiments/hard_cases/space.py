@@ -79,7 +79,7 @@ def mesh_ratios():
 
 def incompressible():
     for ratio in (0.3, 0.45, 0.49, 0.499, 0.4999):
-        for strain in ("full", "cell mean"):
+        for strain in ("full", "patch mean"):
             entries = {"Time/End time": "1"}
             for body in ("lower", "upper"):
                 entries |= material(body, poisson_ratio=ratio)

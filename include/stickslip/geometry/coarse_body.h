@@ -61,6 +61,10 @@ namespace StickSlip
     /** True if the body does not deform; it is not refined then. */
     bool rigid = false;
 
+    /** True if all nodes of the cells that one cell was refined into couple to
+     * each other, see CellPatches. */
+    bool couples_patches = false;
+
     /** Length after which fields repeat along each horizontal axis, m; zero:
      * the body ends there. Sides have the indicators of a brick if any is
      * not zero. */

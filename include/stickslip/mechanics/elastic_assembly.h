@@ -30,6 +30,10 @@ namespace StickSlip
     TermMatrix<n_components> damping;
     /** Stiffness K, N/m. */
     TermMatrix<n_components> stiffness;
+    /** Owned nodes, ascending, around which K or C resists changes of volume
+     * far more than those of shape, on patches of nearly incompressible bodies;
+     * where both do, that which does so more. */
+    std::vector<unsigned int> stiff_volumes, viscous_volumes;
   };
 
   /**
@@ -37,11 +41,11 @@ namespace StickSlip
    * The mass matrix only @p with_mass. Parameters that vary are taken at the
    * quadrature points.
    *
-   * Where a material asks for the mean volumetric strain of the cell, that
-   * takes the place of tr(eps) in the part of the stiffness and of the
+   * Where a material asks for the mean volumetric strain of patches of cells,
+   * that takes the place of tr(eps) in the part of the stiffness and of the
    * viscosity that resists the change of volume; the deviatoric part is
    * integrated in full (Nagtegaal, Parks and Rice 1974; Hughes 1980). Moduli of
-   * the mean strain are means over the cell as well.
+   * the mean strain are means over the patch as well.
    *
    * A single component is the displacement out of the plane: then K is the
    * Laplace operator with mu, C that with eta, and no volume changes.

@@ -9,14 +9,14 @@
 namespace StickSlip
 {
   /**
-   * The change of volume in the stiffness and viscosity of a cell.
+   * The change of volume in the stiffness and viscosity.
    */
   enum class VolumetricStrain
   {
     /** tr(eps) as it is, at each point; the default. */
     full,
-    /** Its mean over the cell, for nearly incompressible bodies. */
-    cell_mean
+    /** Its mean over a patch of cells, for nearly incompressible bodies. */
+    patch_mean
   };
 
   /**

@@ -14,8 +14,8 @@
 namespace StickSlip
 {
   /**
-   * The elastic energy of single cells, by the quadrature and the volumetric
-   * strain of assemble_elastic_matrices().
+   * The elastic energy of patches of cells, by the quadrature and the
+   * volumetric strain of assemble_elastic_matrices().
    */
   template <int dim, int n_components = dim>
   class StrainEnergy
@@ -26,12 +26,13 @@ namespace StickSlip
     StrainEnergy(const MeshLevel<dim>              &level,
                  const std::vector<MaterialFields> &materials);
 
-    /** The energy of a cell of a body, J (per m in two dimensions), with
-     * displacements at its vertices, m. */
+    /** The energy of the cells of a patch of a body, J (per m in two
+     * dimensions), with displacements at the vertices of each, m. */
     double
-    operator()(const unsigned int                             body,
-               const typename DoFHandler<dim>::cell_iterator &cell,
-               const std::vector<Tensor<1, n_components>>    &displacements);
+    operator()(
+      const unsigned int                                                body,
+      const std::vector<typename DoFHandler<dim>::cell_iterator>       &cells,
+      const std::vector<std::vector<Tensor<1, n_components>>> &displacements);
 
   private:
     MaterialsOfCell<dim>                        materials;

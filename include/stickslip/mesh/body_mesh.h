@@ -9,6 +9,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <stickslip/geometry/coarse_body.h>
+#include <stickslip/mesh/cell_patches.h>
 #include <stickslip/mesh/fault_surface.h>
 #include <stickslip/mesh/red_refinement.h>
 
@@ -149,6 +150,14 @@ namespace StickSlip
       return constraints;
     }
 
+    /** The cells whose nodes couple to each other: single ones, if the body
+     * does not couple patches. */
+    const CellPatches &
+    patches() const
+    {
+      return cell_patches;
+    }
+
     /** Length after which fields repeat along each horizontal axis, m; zero:
      * the body ends there. */
     const Tensor<1, dim - 1> &
@@ -173,7 +182,7 @@ namespace StickSlip
     void
     number_dofs();
 
-    /** Number the degrees of freedom, and find the bound nodes. */
+    /** Number the degrees of freedom, and find the bound nodes and patches. */
     void
     distribute_dofs();
 
@@ -181,6 +190,7 @@ namespace StickSlip
     std::array<double, dim - 1> lateral_lower;
     Tensor<1, dim - 1>          period;
     bool                        rigid;
+    bool                        couples_patches;
 
     /** Numbers in the whole mesh, if only part of it is here. */
     struct Part
@@ -204,6 +214,7 @@ namespace StickSlip
     std::shared_ptr<const Triangulation<dim>> mesh;
     std::unique_ptr<DoFHandler<dim>>          dofs;
     AffineConstraints<double>                 constraints;
+    CellPatches                               cell_patches;
   };
 } // namespace StickSlip
 

@@ -30,8 +30,8 @@ namespace StickSlip
      * further appears with the same mesh on several levels. */
     std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
 
-    /** The owned nodes; ghosts are the nodes of all cells that touch an owned
-     * node. */
+    /** The owned nodes; ghosts are the nodes of all patches of cells that touch
+     * an owned node. */
     NodePartition nodes;
 
     MeshLevel() = default;
@@ -47,7 +47,7 @@ namespace StickSlip
               const MPI_Comm                  &communicator,
               const unsigned int               n_components = dim);
 
-    /** Keep the cells that touch an owned node and those on the sides of
+    /** Keep the patches that touch an owned node and the cells on the sides of
      * bodies, and forget the others and their nodes. */
     void
     keep_own_cells();
@@ -110,7 +110,7 @@ namespace StickSlip
     const FaultSurface<dim> &
     surface(const unsigned int fault, const unsigned int side) const;
 
-    /** Global numbers of the nodes of all cells at faults, those to which
+    /** Global numbers of the nodes of all patches at faults, those to which
      * hanging ones are bound. */
     const IndexSet &
     strip() const

@@ -12,6 +12,10 @@
 
 namespace StickSlip
 {
+  /** For each owned node the number of the matrix in which its volume is
+   * stiff, or numbers::invalid_unsigned_int; empty if there is no such node. */
+  using StiffVolumes = std::vector<unsigned int>;
+
   /**
    * A level of a multigrid method and the way to the next coarser one. On a
    * coarse level a component of a nonsmooth node is truncated if it is at all
@@ -30,6 +34,10 @@ namespace StickSlip
     /** The transfer to the next coarser level, whose nodes are its coarse
      * nodes; empty on the coarsest level. */
     std::shared_ptr<GalerkinProduct<n_components>> to_coarser;
+
+    /** Nodes of nearly incompressible bodies in the plane, by the terms of the
+     * operator; on the finest level only. */
+    StiffVolumes stiff_volumes;
   };
 
   /*

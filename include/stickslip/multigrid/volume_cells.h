@@ -4,8 +4,9 @@
 #ifndef stickslip_multigrid_volume_cells_h
 #define stickslip_multigrid_volume_cells_h
 
-#include <stickslip/algebra/operator_sum.h>
+#include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/transfer_matrix.h>
+#include <stickslip/multigrid/level_description.h>
 
 #include <vector>
 
@@ -13,35 +14,6 @@ namespace StickSlip
 {
   /** Nodes that all couple to each other, in ascending order. */
   using NodePatch = std::vector<unsigned int>;
-
-  /** For each owned node the number of the matrix in which its volume is
-   * stiff, or numbers::invalid_unsigned_int; empty if there is no such node. */
-  using StiffVolumes = std::vector<unsigned int>;
-
-  /**
-   * The nodes of nearly incompressible bodies in the plane, found from matrices
-   * with the @p sparsity. The softest motion of the nodes of a cell among fixed
-   * neighbours is a vortex around it, which keeps the volumes of all cells if
-   * only the mean over each counts. With A the part of a matrix at these nodes,
-   * of n components, and S its sum over equal components, which knows the
-   * shapes of the cells alone, the ratio
-   *
-   *   n lambda_min(A) / lambda_min(S) <= 1
-   *
-   * is no less than 2 mu / (lambda + 3 mu) inside of an elastic body: 0.44 at
-   * nu = 0.3, 0.17 at 0.45, and 0.04 at 0.49, which vortices take. Cells count
-   * from 0.1 downwards; where several matrices do, the one with the least ratio
-   * is the node's.
-   *
-   * A sample of the nodes tells if there are any. In three dimensions and out
-   * of the plane nothing is looked for.
-   */
-  template <typename Matrix>
-  StiffVolumes
-  find_stiff_volumes(const BlockSparsity             &sparsity,
-                     const std::vector<Matrix>       &matrices,
-                     const NodeMask                  &fixed,
-                     const std::vector<unsigned int> &nonsmooth_nodes);
 
   /** The stiff volumes of the @p n_coarse owned nodes of the next coarser
    * level: of those from which a node with one is interpolated. */

@@ -171,6 +171,10 @@ namespace StickSlip
     void
     assemble();
 
+    /** Those of the assembled terms. */
+    StiffVolumes
+    stiff_volumes() const;
+
     const ContactSpace<dim, n_components> &space;
     BoundaryValues<dim, n_components>     &boundary;
     const std::vector<MaterialFields>      materials;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mechanics_patch_volumes_h
+#define stickslip_mechanics_patch_volumes_h
+
+#include <stickslip/mechanics/material_fields.h>
+#include <stickslip/mesh/mesh_level.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace StickSlip
+{
+  /**
+   * What resists the change of volume of a patch of cells on the mean: with the
+   * derivatives g_i of the volume |P| by the displacements of the nodes, the
+   * stiffness of the patch is kappa g_i g_j^T / |P|.
+   */
+  template <int dim>
+  struct PatchVolume
+  {
+    /** |P|, m^dim. */
+    double volume = 0;
+    /** Local indices of the nodes, ascending, and g_i, m^(dim - 1). */
+    std::vector<std::pair<unsigned int, Tensor<1, dim>>> gradients;
+    /** Means over the patch of kappa and mu, Pa, and of zeta and eta, Pa s. */
+    double bulk_modulus = 0, shear_modulus = 0;
+    double bulk_viscosity = 0, shear_viscosity = 0;
+  };
+
+  /**
+   * Call @p visit on each patch that touches an owned node, in bodies whose
+   * material asks for the mean volumetric strain; @p materials in the order of
+   * the bodies. The patches of these must be coupled, see CoarseBody.
+   */
+  template <int dim>
+  void
+  for_each_patch_volume(
+    const MeshLevel<dim>                                &level,
+    const std::vector<MaterialFields>                   &materials,
+    const std::function<void(const PatchVolume<dim> &)> &visit);
+} // namespace StickSlip
+
+#endif
