@@ -78,9 +78,7 @@ namespace StickSlip::Tests
   {
     explicit SteppingScene(const SceneParameters<2> &parameters)
       : scene(parameters)
-      , meshes({scene.bodies[0].geometry, scene.bodies[1].geometry},
-               scene.topology,
-               MPI_COMM_WORLD)
+      , meshes(scene.coarse_bodies(), scene.topology, MPI_COMM_WORLD)
       , boundary_values(meshes,
                         scene.boundary_conditions,
                         {scene.bodies[0].name, scene.bodies[1].name})

@@ -186,8 +186,9 @@ TEST(TNNMGIncompressible, CoarseLevelsFollowTheTruncation)
 
 TEST(TNNMGIncompressible, StepsBesideThoseOfOrdinaryBodies)
 {
-  // Meshes that match and that do not, graded towards the fault, and cells of
-  // one size. The largest ratios of steps for each Poisson's ratio.
+  // Meshes that match and that do not, graded towards the fault, cells of one
+  // size, and cells three and ten times as tall as wide. The largest ratios of
+  // steps for each Poisson's ratio.
   struct Case
   {
     std::vector<BodyGeometry<2>> bodies;
@@ -195,12 +196,16 @@ TEST(TNNMGIncompressible, StepsBesideThoseOfOrdinaryBodies)
   };
   const std::vector<Case> cases = {
     {{make_body<2>(1., {{10, 2}}, 4), make_body<2>(1., {{10, 2}}, 4)},
-     {{1.2, 2.8, 5., 8.}}},
+     {{1.1, 1.6, 2.4, 2.6}}},
     {{make_body<2>(1., {{10, 2}}, 4), make_body<2>(1., {{9, 2}}, 4)},
-     {{1.2, 3.5, 11., 25.}}},
+     {{1.1, 1.8, 3.5, 5.5}}},
     {halved<2>({make_body<2>(1., {{10, 2}}, 0), make_body<2>(1., {{10, 2}}, 0)},
                3),
-     {{1.5, 4., 8., 11.}}}};
+     {{1.2, 1.5, 1.5, 1.7}}},
+    {{make_body<2>(1., {{30, 2}}, 1), make_body<2>(1., {{30, 2}}, 1)},
+     {{1.2, 1.7, 1.9, 2.}}},
+    {{make_body<2>(1., {{100, 2}}, 1), make_body<2>(1., {{100, 2}}, 1)},
+     {{5.5, 11., 14., 20.}}}};
   for (const Case &its_case : cases)
     {
       SpatialScene<2> ordinary =

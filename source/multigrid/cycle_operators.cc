@@ -59,28 +59,16 @@ namespace StickSlip
     const LevelDescription<n_components> &description = descriptions[l];
     const BlockSparsity                  &sparsity   = terms.front().sparsity();
     Level                                &level      = levels[l];
-    const auto                            find_lines = [&]() {
-      return find_strong_lines(sparsity,
-                               terms,
-                               description.fixed,
-                               description.nonsmooth_nodes);
-    };
-    // Cells that are long along one axis are no patches that smooth. On square
-    // ones, too, a few nodes of such bodies couple strongly.
-    if (l + 1 == levels.size() && !level.stiff_volumes.empty())
-      {
-        std::size_t n_in_lines = 0;
-        for (const NodeLine &line : find_lines())
-          n_in_lines += line.size();
-        if (2 * n_in_lines > sparsity.n_rows())
-          level.stiff_volumes.clear();
-      }
     const std::vector<NodePatch> patches =
       find_stiff_cells(sparsity, description.fixed, level.stiff_volumes);
     level.smoother =
       BlockGaussSeidel<n_components, Number>(sparsity,
                                              patches.empty() ?
-                                               find_lines() :
+                                               find_strong_lines(
+                                                 sparsity,
+                                                 terms,
+                                                 description.fixed,
+                                                 description.nonsmooth_nodes) :
                                                std::vector<NodeLine>(),
                                              patches);
     if (patches.empty())

@@ -6,6 +6,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <stickslip/algebra/serial_order.h>
+#include <stickslip/mechanics/patch_volumes.h>
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/output/volume_writer.h>
 
@@ -218,21 +219,33 @@ namespace StickSlip
 
 
 
-    /** Hooke's law for each cell. */
+    /** Hooke's law for each cell, with the volumetric strain of its patch where
+     * that is what the body resists. */
     template <int dim>
     std::vector<SymmetricTensor<2, 3>>
     cell_stresses(const OwnVolume<dim>                     &own,
                   const std::vector<SymmetricTensor<2, 3>> &strains,
+                  const NodalVector                        &displacement,
                   const std::vector<VolumeMaterial<dim>>   &materials)
     {
+      std::vector<std::vector<double>> of_patches(own.level.bodies.size());
+      // Displacements out of the plane change no volume.
+      if (own.level.nodes.n_components() == dim)
+        for (unsigned int body = 0; body < of_patches.size(); ++body)
+          of_patches[body] = patch_dilatations(own.level, body, displacement);
       std::vector<SymmetricTensor<2, 3>> stresses;
       own.for_each_cell([&](const unsigned int body, const auto &cell) {
         const SymmetricTensor<2, 3>    &strain = strains[stresses.size()];
         const std::pair<double, double> lame =
           materials[body].lame_parameters(cell->center());
+        double mean_part = lame.first * trace(strain);
+        if (!of_patches[body].empty())
+          // The deviator stays that of the centre.
+          mean_part += (lame.first + 2. / 3. * lame.second) *
+                       (of_patches[body][cell->active_cell_index()] -
+                        trace(strain));
         stresses.push_back(2. * lame.second * strain +
-                           lame.first * trace(strain) *
-                             unit_symmetric_tensor<3>());
+                           mean_part * unit_symmetric_tensor<3>());
       });
       return stresses;
     }
@@ -342,7 +355,10 @@ namespace StickSlip
           cell_strains(own, displacement);
         if (with_stress)
           of_cells.add_tensors("stress",
-                               cell_stresses(own, strains, materials),
+                               cell_stresses(own,
+                                             strains,
+                                             state.displacement,
+                                             materials),
                                "Pa");
         if (with_strain)
           of_cells.add_tensors("strain", strains, "1");

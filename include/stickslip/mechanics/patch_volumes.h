@@ -41,6 +41,17 @@ namespace StickSlip
     const MeshLevel<dim>                                &level,
     const std::vector<MaterialFields>                   &materials,
     const std::function<void(const PatchVolume<dim> &)> &visit);
+
+  /**
+   * The volumetric strain of a nodal @p displacement on each active cell of a
+   * body, the mean over its patch, on patches that touch an owned node. Empty if
+   * the body does not couple patches.
+   */
+  template <int dim>
+  std::vector<double>
+  patch_dilatations(const MeshLevel<dim> &level,
+                    const unsigned int    body,
+                    const NodalVector    &displacement);
 } // namespace StickSlip
 
 #endif

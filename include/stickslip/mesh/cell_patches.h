@@ -40,6 +40,13 @@ namespace StickSlip
     /** The cells of a mesh that are kept in a part of it. */
     CellPatches(const CellPatches &whole, const std::vector<bool> &is_kept);
 
+    /** True if each cell is by itself. */
+    bool
+    are_single() const
+    {
+      return order.empty();
+    }
+
     /** Call @p visit(cells) on the active cells of each patch, all of them
      * cells of @p cells, such as a DoFHandler has. */
     template <typename Cells, typename Visitor>
