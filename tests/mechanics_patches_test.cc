@@ -22,10 +22,10 @@ namespace
              const unsigned int                 refinements,
              const unsigned int                 passes = 0)
   {
-    BodyGeometry<2> geometry      = make_body<2>(1., cells, passes);
-    geometry.uniform_refinements  = refinements;
-    CoarseBody<2> body            = coarse_brick(stack<2>({geometry})[0]);
-    body.couples_patches          = true;
+    BodyGeometry<2> geometry     = make_body<2>(1., cells, passes);
+    geometry.uniform_refinements = refinements;
+    CoarseBody<2> body           = coarse_brick(stack<2>({geometry})[0]);
+    body.couples_patches         = true;
     return body;
   }
 
@@ -57,10 +57,10 @@ TEST(CellPatches, AreWhatCellsWereRefinedInto)
 {
   // Four passes towards the upper side: families of four, pairs whose siblings
   // are refined, and coarse cells.
-  const BodyMesh<2> mesh(make_brick({{10, 2}}, 0, 4), {BodyMesh<2>::upper_side});
+  const BodyMesh<2>                    mesh(make_brick({{10, 2}}, 0, 4),
+                         {BodyMesh<2>::upper_side});
   std::map<unsigned int, unsigned int> n_of_size;
-  std::vector<bool>                    is_kept(
-    mesh.triangulation().n_active_cells(), false);
+  std::vector<bool>      is_kept(mesh.triangulation().n_active_cells(), false);
   std::set<unsigned int> seen;
   mesh.patches().for_each(mesh.dof_handler(), [&](const auto &cells) {
     ++n_of_size[cells.size()];
@@ -88,8 +88,8 @@ TEST(CellPatches, AreWhatCellsWereRefinedInto)
   EXPECT_EQ(n_of_size[1], 10u);
 
   // Patches of a part are those of the whole.
-  const BodyMesh<2>  part(mesh, is_kept);
-  unsigned int       n_fours = 0;
+  const BodyMesh<2> part(mesh, is_kept);
+  unsigned int      n_fours = 0;
   part.patches().for_each(part.dof_handler(), [&](const auto &cells) {
     n_fours += (cells.size() == 4);
     double width = 0.;
@@ -134,12 +134,10 @@ TEST(CellPatches, StressIsThatOfTheirMeanStrain)
   MeshHierarchy<2> meshes   = make_meshes(make_brick({{10, 2}}, 2));
   std::vector<BoundaryCondition<2>> conditions;
   for (const unsigned int side : {0, 1})
-    conditions.push_back(make_side<2>(
-      "0", side, {{BoundaryType::fixed, BoundaryType::free}}));
-  conditions.push_back(
-    make_side<2>("0",
-                 BodyMesh<2>::lower_side,
-                 {{BoundaryType::free, BoundaryType::fixed}}));
+    conditions.push_back(
+      make_side<2>("0", side, {{BoundaryType::fixed, BoundaryType::free}}));
+  conditions.push_back(make_side<2>(
+    "0", BodyMesh<2>::lower_side, {{BoundaryType::free, BoundaryType::fixed}}));
   BoundaryValues<2> boundary(meshes, conditions, {"0"});
   const double      gravity = 9.81;
   SpatialProblem<2> problem(meshes,
@@ -162,7 +160,8 @@ TEST(CellPatches, StressIsThatOfTheirMeanStrain)
   };
   const VolumeContent content =
     collect_volume(meshes.finest(), state, {of_volume}, {VolumeField::stress});
-  const auto values = [&](const std::string &name) -> const auto & {
+  const auto values = [&](const std::string &name) -> const auto &
+  {
     return std::find_if(content.of_cells.begin(),
                         content.of_cells.end(),
                         [&](const auto &field) { return field.name == name; })

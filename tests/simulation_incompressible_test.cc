@@ -36,7 +36,8 @@ namespace
 
 
 // Means over single cells give tractions that alternate by 20 and 40 % of their
-// largest one from node to node, nodes that slip at once, and 40 times the steps.
+// largest one from node to node, nodes that slip at once, and 40 times the
+// steps.
 TEST(NearlyIncompressible, TractionsOfTheFaultDoNotAlternate)
 {
   for (const double nu : {0.49, 0.499, 0.4999, 0.49999})
@@ -55,9 +56,10 @@ TEST(NearlyIncompressible, TractionsOfTheFaultDoNotAlternate)
 
       std::vector<unsigned int> order(scene.faults.size());
       std::iota(order.begin(), order.end(), 0);
-      const auto points = fault_positions(scene.problem.jump_basis(),
-                                          scene.problem.hierarchy().finest().nodes,
-                                          scene.state.displacement)[0];
+      const auto points =
+        fault_positions(scene.problem.jump_basis(),
+                        scene.problem.hierarchy().finest().nodes,
+                        scene.state.displacement)[0];
       std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
         return points[a][0] < points[b][0];
       });

@@ -10,31 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "stepping_scene.h"
 
 namespace StickSlip::Tests
 {
-  /** The velocity scale of the bodies of a scene with one fault in full contact,
-   * as StepHistory has it but for slip rates, m/s. */
-  inline double
-  velocity_scale(const SteppingScene &scene)
-  {
-    const std::vector<double> &areas = scene.faults.weights();
-    double                     sum = 0., area = 0.;
-    for (unsigned int k = 0; k < scene.faults.size(); ++k)
-      {
-        const FaultLaw &law = scene.laws[k];
-        sum += areas[k] * law.friction->rate_scale() *
-               scene.state.normal_stress[k] / law.shear_impedance;
-        area += areas[k];
-      }
-    return sum / area;
-  }
-
-
-
   /** The error of the last step of @p scene from @p before, found by steps of a
    * sixteenth, in the measures of StepHistory. */
   inline StepError
@@ -56,28 +38,42 @@ namespace StickSlip::Tests
     const std::vector<double> &areas = scene.faults.weights();
     const std::vector<double>  stress =
       scene.faults.over_mean(ours.normal_stress);
-    double area = 0., of_state = 0., of_motion = 0., fastest = 0.;
-    for (unsigned int k = 0; k < scene.faults.size(); ++k)
-      fastest = std::max({fastest,
-                          magnitude(ours.slip_rate[k]),
-                          magnitude(before.slip_rate[k])});
-    for (unsigned int k = 0; k < scene.faults.size(); ++k)
+    // The velocity at which waves carry the strength, or that of slip if that
+    // is more; the least of all faults.
+    double velocity_scale = std::numeric_limits<double>::max();
+    for (unsigned int f = 0; f + 1 < scene.faults.first_of_fault().size(); ++f)
       {
-        const FaultLaw &law = scene.laws[k];
-        const double    error_of_V =
-                       magnitude(ours.slip_rate[k] - exact.slip_rate[k]),
-                     in_friction = magnitude(
-                       directed_friction(scene.faults, scene.laws, ours, k) -
-                       directed_friction(scene.faults, scene.laws, exact, k)),
-                     motion = std::min(
-                       error_of_V /
-                         std::max(fastest, law.characteristic_slip / tau),
-                       in_friction * stress[k] / law.friction->rate_scale());
-        area += areas[k];
-        of_state += areas[k] * std::pow(ours.alpha[k] - exact.alpha[k], 2);
-        of_motion += areas[k] * motion * motion;
+        const unsigned int begin = scene.faults.first_of_fault()[f],
+                           end   = scene.faults.first_of_fault()[f + 1];
+        double fastest           = 0.;
+        for (unsigned int k = begin; k < end; ++k)
+          fastest = std::max({fastest,
+                              magnitude(ours.slip_rate[k]),
+                              magnitude(before.slip_rate[k])});
+        double area = 0., squares = 0., strength = 0.;
+        for (unsigned int k = begin; k < end; ++k)
+          {
+            const FaultLaw &law = scene.laws[k];
+            const double
+              scale       = law.friction->rate_scale(),
+              error_of_V  = magnitude(ours.slip_rate[k] - exact.slip_rate[k]),
+              in_friction = magnitude(
+                directed_friction(scene.faults, scene.laws, ours, k) -
+                directed_friction(scene.faults, scene.laws, exact, k)),
+              of_motion =
+                std::min(error_of_V /
+                           std::max(fastest, law.characteristic_slip / tau),
+                         in_friction * stress[k] / scale),
+              of_state = ours.alpha[k] - exact.alpha[k];
+            area += areas[k];
+            squares += areas[k] * (of_state * of_state + of_motion * of_motion);
+            strength +=
+              areas[k] * scale * ours.normal_stress[k] / law.shear_impedance;
+          }
+        error.faults = std::hypot(error.faults, std::sqrt(squares / area));
+        velocity_scale =
+          std::min(velocity_scale, std::max(strength / area, fastest));
       }
-    error.faults = std::sqrt((of_state + of_motion) / area);
 
     const std::vector<double> &masses = scene.problem.nodal_masses();
     double                     sum = 0., squares = 0.;
@@ -90,8 +86,7 @@ namespace StickSlip::Tests
         sum += masses[i] * e;
         squares += masses[i] * e * e;
       }
-    error.bodies =
-      squares / sum / std::max(velocity_scale(scene), fastest);
+    error.bodies = squares / sum / velocity_scale;
     return error;
   }
 } // namespace StickSlip::Tests

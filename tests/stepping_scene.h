@@ -81,9 +81,9 @@ namespace StickSlip::Tests
       , meshes(scene.coarse_bodies(), scene.topology, MPI_COMM_WORLD)
       , boundary_values(meshes,
                         scene.boundary_conditions,
-                        {scene.bodies[0].name, scene.bodies[1].name})
+                        scene.topology.body_names())
       , problem(meshes,
-                {scene.bodies[0].material, scene.bodies[1].material},
+                materials(scene),
                 boundary_values,
                 scene.gravity_vector(),
                 scene.time.inertia == Inertia::dynamic)
@@ -100,6 +100,15 @@ namespace StickSlip::Tests
                   const std::vector<std::string> &overrides = {})
       : SteppingScene(read_scene(text, overrides))
     {}
+
+    static std::vector<MaterialFields>
+    materials(const SceneParameters<2> &scene)
+    {
+      std::vector<MaterialFields> result;
+      for (const BodyParameters<2> &body : scene.bodies)
+        result.push_back(body.material);
+      return result;
+    }
 
     /** Everything that depends on the contact mapping; normal stresses follow
      * if they are asked to. */

@@ -110,9 +110,9 @@ namespace
 
 TEST(TNNMGIncompressible, StiffVolumesFollowFromTheMaterial)
 {
-  const std::vector<BodyGeometry<2>> bodies = {make_body<2>(1., {{10, 2}}, 3),
-                                               make_body<2>(1., {{10, 2}}, 3)};
-  const auto is_found = [&](const Material &material) {
+  const std::vector<BodyGeometry<2>> bodies   = {make_body<2>(1., {{10, 2}}, 3),
+                                                 make_body<2>(1., {{10, 2}}, 3)};
+  const auto                         is_found = [&](const Material &material) {
     SpatialScene<2> scene = make_scene(bodies, material, true);
     return !scene.problem.hierarchy().finest().stiff_volumes.empty();
   };

@@ -222,8 +222,7 @@ TEST(Column, EstimatesAreThatOfTheError)
       {
         const SystemState<2> before = scene.state;
         const double         tau    = scene.advance().front().step_size;
-        const double         error =
-          error_of_last_step(scene, before, tau).bodies;
+        const double error = error_of_last_step(scene, before, tau).bodies;
         ratios.push_back(scene.memory.last_error.bodies / error);
         largest = std::max(largest, error);
       }

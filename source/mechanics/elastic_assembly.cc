@@ -187,8 +187,8 @@ namespace StickSlip
 
 
 
-    /** Half of the share of the shear in the stiffness of a vortex around the
-     * corner of four square cells: 0.44 at nu = 0.3, 0.04 at 0.49. */
+    /** The stiffness of a vortex, which keeps the volumes of patches, over that
+     * of other motions of nodes, about: 2 mu / (kappa + 7/3 mu). */
     double
     vortex_ratio(const double bulk, const double shear)
     {
@@ -228,8 +228,8 @@ namespace StickSlip
           if (patch.bulk_viscosity > 0.)
             add_to(damping, patch.bulk_viscosity);
 
-          const double elastic = vortex_ratio(patch.bulk_modulus,
-                                              patch.shear_modulus),
+          const double elastic =
+                         vortex_ratio(patch.bulk_modulus, patch.shear_modulus),
                        viscous = vortex_ratio(patch.bulk_viscosity,
                                               patch.shear_viscosity);
           if (std::min(elastic, viscous) <= largest_vortex_ratio)
@@ -253,8 +253,7 @@ namespace StickSlip
                             const std::vector<MaterialFields> &materials,
                             const bool                         with_mass)
   {
-    const auto sparsity     =
-      make_sparsity<dim, n_components>(level, materials);
+    const auto sparsity = make_sparsity<dim, n_components>(level, materials);
     bool       with_damping = false;
     for (unsigned int b = 0; b < materials.size(); ++b)
       with_damping |= !level.bodies[b]->is_rigid() && materials[b].is_viscous();

@@ -15,8 +15,8 @@ namespace StickSlip
 {
   namespace
   {
-    /** Call @p visit(cells, patch) on each patch of a body that touches an owned
-     * node; without moduli if there are no @p materials. */
+    /** Call @p visit(cells, patch) on each patch of a body that touches an
+     * owned node; without moduli if there are no @p materials. */
     template <int dim, typename Visitor>
     void
     visit_patches(const MeshLevel<dim>              &level,
@@ -24,7 +24,7 @@ namespace StickSlip
                   const std::vector<MaterialFields> &materials,
                   const Visitor                     &visit)
     {
-      const IndexSet           &owned = level.nodes.owned();
+      const IndexSet           &owned       = level.nodes.owned();
       const DoFHandler<dim>    &dof_handler = level.bodies[body]->dof_handler();
       const FiniteElement<dim> &fe          = dof_handler.get_fe();
       FEValues<dim>             fe_values(
@@ -129,19 +129,15 @@ namespace StickSlip
       return result;
     update_ghosts(displacement);
     result.resize(level.bodies[body]->triangulation().n_active_cells());
-    visit_patches(level,
-                  body,
-                  {},
-                  [&](const auto &cells, const PatchVolume<dim> &patch) {
-                    double change = 0.;
-                    for (const auto &[node, gradient] : patch.gradients)
-                      for (unsigned int c = 0; c < dim; ++c)
-                        change += gradient[c] *
-                                  displacement.local_element(node * dim + c);
-                    for (const auto &cell : cells)
-                      result[cell->active_cell_index()] =
-                        change / patch.volume;
-                  });
+    visit_patches(
+      level, body, {}, [&](const auto &cells, const PatchVolume<dim> &patch) {
+        double change = 0.;
+        for (const auto &[node, gradient] : patch.gradients)
+          for (unsigned int c = 0; c < dim; ++c)
+            change += gradient[c] * displacement.local_element(node * dim + c);
+        for (const auto &cell : cells)
+          result[cell->active_cell_index()] = change / patch.volume;
+      });
     return result;
   }
 
@@ -156,13 +152,11 @@ namespace StickSlip
                        const unsigned int,
                        const NodalVector &);
   template void
-  for_each_patch_volume<2>(
-    const MeshLevel<2> &,
-    const std::vector<MaterialFields> &,
-    const std::function<void(const PatchVolume<2> &)> &);
+  for_each_patch_volume<2>(const MeshLevel<2> &,
+                           const std::vector<MaterialFields> &,
+                           const std::function<void(const PatchVolume<2> &)> &);
   template void
-  for_each_patch_volume<3>(
-    const MeshLevel<3> &,
-    const std::vector<MaterialFields> &,
-    const std::function<void(const PatchVolume<3> &)> &);
+  for_each_patch_volume<3>(const MeshLevel<3> &,
+                           const std::vector<MaterialFields> &,
+                           const std::function<void(const PatchVolume<3> &)> &);
 } // namespace StickSlip

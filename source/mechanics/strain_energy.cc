@@ -30,7 +30,7 @@ namespace StickSlip
   template <int dim, int n_components>
   double
   StrainEnergy<dim, n_components>::operator()(
-    const unsigned int                                         body,
+    const unsigned int                                          body,
     const std::vector<typename DoFHandler<dim>::cell_iterator> &cells,
     const std::vector<std::vector<Tensor<1, n_components>>>    &displacements)
   {
@@ -46,7 +46,7 @@ namespace StickSlip
         for (const unsigned int q : fe_values.quadrature_point_indices())
           {
             const Material &material = materials[q];
-            const double    JxW = fe_values.JxW(q), mu = material.shear_modulus();
+            const double JxW = fe_values.JxW(q), mu = material.shear_modulus();
             if constexpr (n_components == 1)
               {
                 // Shear out of the plane.

@@ -227,7 +227,7 @@ namespace StickSlip
     cell_patches = CellPatches(whole.cell_patches, is_kept);
     part         = Part();
     part->whole  = whole.figures();
-    part->cells = std::move(kept.cells);
+    part->cells  = std::move(kept.cells);
     part->dofs.resize(dofs->n_dofs());
     const std::vector<types::global_dof_index> here = dofs_of_vertices(),
                                                in_whole =

@@ -60,8 +60,7 @@ namespace StickSlip
   {
     std::vector<unsigned int> patch_of_cell;
     for (unsigned int cell = 0; cell < mesh.n_active_cells(); ++cell)
-      patch_of_cell.push_back(cell /
-                              GeometryInfo<dim>::max_children_per_cell);
+      patch_of_cell.push_back(cell / GeometryInfo<dim>::max_children_per_cell);
     return CellPatches(patch_of_cell);
   }
 

@@ -220,25 +220,25 @@ namespace StickSlip
     std::vector<std::vector<bool>> is_kept;
     for (const auto &body : bodies)
       is_kept.emplace_back(body->triangulation().n_active_cells(), false);
-    for_each_patch(*this,
-                   [&](const unsigned int                          body,
-                       const auto                                 &cells,
-                       const std::vector<types::global_dof_index> &its_nodes) {
-                     const auto is_owned =
-                       [&](const types::global_dof_index node) {
-                         return nodes.owned().is_element(node);
-                       };
-                     bool is_wanted =
-                       std::any_of(its_nodes.begin(), its_nodes.end(), is_owned);
-                     // Hanging nodes are not among those that they are bound to.
-                     for (const auto &cell : cells)
-                       for (const auto v : cell->vertex_indices())
-                         is_wanted |= is_owned(
-                           global_node(body, cell->vertex_dof_index(v, 0)));
-                     for (const auto &cell : cells)
-                       is_kept[body][cell->active_cell_index()] =
-                         is_wanted || cell->at_boundary();
-                   });
+    for_each_patch(
+      *this,
+      [&](const unsigned int                          body,
+          const auto                                 &cells,
+          const std::vector<types::global_dof_index> &its_nodes) {
+        const auto is_owned = [&](const types::global_dof_index node) {
+          return nodes.owned().is_element(node);
+        };
+        bool is_wanted =
+          std::any_of(its_nodes.begin(), its_nodes.end(), is_owned);
+        // Hanging nodes are not among those that they are bound to.
+        for (const auto &cell : cells)
+          for (const auto v : cell->vertex_indices())
+            is_wanted |=
+              is_owned(global_node(body, cell->vertex_dof_index(v, 0)));
+        for (const auto &cell : cells)
+          is_kept[body][cell->active_cell_index()] =
+            is_wanted || cell->at_boundary();
+      });
 
     std::vector<types::global_dof_index>                   first = {0}, numbers;
     std::unordered_map<types::global_dof_index, GlobalRow> rows;

@@ -57,20 +57,18 @@ namespace StickSlip
     const std::vector<Matrix> &terms)
   {
     const LevelDescription<n_components> &description = descriptions[l];
-    const BlockSparsity                  &sparsity   = terms.front().sparsity();
-    Level                                &level      = levels[l];
-    const std::vector<NodePatch> patches =
+    const BlockSparsity                  &sparsity = terms.front().sparsity();
+    Level                                &level    = levels[l];
+    const std::vector<NodePatch>          patches =
       find_stiff_cells(sparsity, description.fixed, level.stiff_volumes);
-    level.smoother =
-      BlockGaussSeidel<n_components, Number>(sparsity,
-                                             patches.empty() ?
-                                               find_strong_lines(
-                                                 sparsity,
-                                                 terms,
-                                                 description.fixed,
-                                                 description.nonsmooth_nodes) :
-                                               std::vector<NodeLine>(),
-                                             patches);
+    level.smoother = BlockGaussSeidel<n_components, Number>(
+      sparsity,
+      patches.empty() ? find_strong_lines(sparsity,
+                                          terms,
+                                          description.fixed,
+                                          description.nonsmooth_nodes) :
+                        std::vector<NodeLine>(),
+      patches);
     if (patches.empty())
       return;
     // Coarse cells keep the volumes of the patches on the finest level.

@@ -35,8 +35,7 @@ namespace StickSlip
        * which it is the first node. */
       template <typename Action>
       void
-      for_each_cell(const unsigned int node,
-                    const Action      &action)
+      for_each_cell(const unsigned int node, const Action &action)
       {
         near.clear();
         for (unsigned int k = sparsity.row_start[node];

@@ -241,9 +241,9 @@ namespace StickSlip
         double mean_part = lame.first * trace(strain);
         if (!of_patches[body].empty())
           // The deviator stays that of the centre.
-          mean_part += (lame.first + 2. / 3. * lame.second) *
-                       (of_patches[body][cell->active_cell_index()] -
-                        trace(strain));
+          mean_part +=
+            (lame.first + 2. / 3. * lame.second) *
+            (of_patches[body][cell->active_cell_index()] - trace(strain));
         stresses.push_back(2. * lame.second * strain +
                            mean_part * unit_symmetric_tensor<3>());
       });
@@ -354,12 +354,10 @@ namespace StickSlip
         const std::vector<SymmetricTensor<2, 3>> strains =
           cell_strains(own, displacement);
         if (with_stress)
-          of_cells.add_tensors("stress",
-                               cell_stresses(own,
-                                             strains,
-                                             state.displacement,
-                                             materials),
-                               "Pa");
+          of_cells.add_tensors(
+            "stress",
+            cell_stresses(own, strains, state.displacement, materials),
+            "Pa");
         if (with_strain)
           of_cells.add_tensors("strain", strains, "1");
       }

@@ -33,8 +33,8 @@ namespace StickSlip
     for (unsigned int b = 0; b < mesh_accuracy.refined_cells.size(); ++b)
       result[b].refined_cells = mesh_accuracy.refined_cells[b];
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      result[b].couples_patches = bodies[b].material.volumetric_strain ==
-                                  VolumetricStrain::patch_mean;
+      result[b].couples_patches =
+        bodies[b].material.volumetric_strain == VolumetricStrain::patch_mean;
     return result;
   }
 

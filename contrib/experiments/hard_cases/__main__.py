@@ -19,7 +19,7 @@ A case holds if the run reaches its end, if the reference does and both agree to
 1e-5 (see compare.py), if a run with a tenth of the tolerances of the steps agrees
 to 0.05 ('in time'), and if no more than 1e-3 of the work is missing in the
 balance of energy, or 1e-8 of the elastic energy, which is rounding. It is 'refused' if the program says no as it should, and
-'warned' if it is wrong and the program says that the steps are too long.
+'warned' if it is wrong and the program says that steps are too long or cells too stiff.
 """
 
 import pathlib
@@ -78,9 +78,13 @@ def measure(program, case, folder):
     if is_constant and estimate > allowed:
         is_warned = True
         notes.append(f"warns that the estimated error is {estimate:.0e}")
+    if case.warned:
+        is_wrong = True
+        is_warned = case.warned in result.report
+        notes.append(f"warns that cells are {case.warned}")
     if result.message:
         clear = case.refused and case.refused in result.message
-        row["holds"] = "refused" if clear else "no"
+        row["holds"] = "refused" if clear else "warned" if is_warned else "no"
         notes.append(f"ends with: {result.message}")
     elif case.refused:
         row["holds"] = "no"
@@ -101,7 +105,7 @@ def measure(program, case, folder):
             notes.append(f"energy defect {abs(defect):.0e}")
             elastic = result.number("Energy/elastic, at the end") or 0
             missing = abs(result.number("Energy/missing") or 0)
-            is_wrong = (abs(defect) > LARGEST_DEFECT
+            is_wrong |= (abs(defect) > LARGEST_DEFECT
                         and missing > ROUNDING * elastic)
 
     def is_far_from(scene, name, column, largest):

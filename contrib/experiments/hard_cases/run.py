@@ -14,11 +14,12 @@ from common import runs
 
 @dataclasses.dataclass
 class Result:
-    """Files of a run. `message` is empty where it reached its end, `events` are the
-    times at which they start, in s, `openings` the number of those that faults have
-    been through."""
+    """Files of a run. `message` is empty where it reached its end, `report` is what it
+    prints at the start, `events` are the times at which they start, in s, `openings`
+    the number of those that faults have been through."""
 
     message: str
+    report: str
     summary: dict
     fields: dict
     events: list
@@ -63,14 +64,16 @@ def run(program, text, folder, timeout):
     # Programs of other revisions may not know --overwrite.
     shutil.rmtree(output, ignore_errors=True)
     command = [str(program), str(scene), "--set", f"Output/Output directory={output}"]
+    printed = folder / "printed.txt"
     try:
-        process = subprocess.run(
-            command,
-            timeout=timeout,
-            text=True,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-        )
+        with open(printed, "w", encoding="utf-8") as file:
+            process = subprocess.run(
+                command,
+                timeout=timeout,
+                text=True,
+                stdout=file,
+                stderr=subprocess.PIPE,
+            )
         message = process.stderr.strip()
         if process.returncode != 0 and not message:
             message = f"exit status {process.returncode} without a message"
@@ -81,6 +84,7 @@ def run(program, text, folder, timeout):
     summary = runs.results(output)
     return Result(
         re.sub(r"^stickslip: ", "", message),
+        printed.read_text(encoding="utf-8"),
         summary,
         read_fields(output / "faults.h5"),
         sorted(start for starts in summary["events"].values() for start in starts),

@@ -39,6 +39,8 @@ class Case:
     timeout: float = 300.0
     # Part of the message with which the program is expected to end, if any.
     refused: str = ""
+    # Part of a warning at the start that what comes out is wrong, if any.
+    warned: str = ""
 
 
 def bodies(names, body=None, fault=None):

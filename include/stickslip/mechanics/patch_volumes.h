@@ -44,8 +44,8 @@ namespace StickSlip
 
   /**
    * The volumetric strain of a nodal @p displacement on each active cell of a
-   * body, the mean over its patch, on patches that touch an owned node. Empty if
-   * the body does not couple patches.
+   * body, the mean over its patch, on patches that touch an owned node. Empty
+   * if the body does not couple patches.
    */
   template <int dim>
   std::vector<double>

@@ -30,8 +30,8 @@ namespace StickSlip
      * dimensions), with displacements at the vertices of each, m. */
     double
     operator()(
-      const unsigned int                                                body,
-      const std::vector<typename DoFHandler<dim>::cell_iterator>       &cells,
+      const unsigned int                                          body,
+      const std::vector<typename DoFHandler<dim>::cell_iterator> &cells,
       const std::vector<std::vector<Tensor<1, n_components>>> &displacements);
 
   private:

@@ -13,12 +13,12 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * Active cells in groups: those that one cell was refined into, without those
-   * of them that are refined further; coarse cells one by one. Volumetric
-   * strains are averaged over such patches. Four quadrilaterals have five
-   * nodes that no other patch has a share in the corners of, by which their
-   * volumes can change as neighbours ask for; one alone has none, and the
-   * pressures of a mesh of them may alternate.
+   * Active cells in patches: those that one cell was refined into, without
+   * those of them that are refined further; coarse cells one by one. Volumetric
+   * strains of nearly incompressible bodies are means over patches: by the
+   * nodes between the corners of two of them the volume of one can change at
+   * the cost of the other, as their pressures ask for, which nodes of single
+   * cells cannot do.
    */
   class CellPatches
   {
