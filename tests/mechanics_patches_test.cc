@@ -158,6 +158,9 @@ TEST(CellPatches, StressIsThatOfTheirMeanStrain)
   of_volume.lame_parameters = [&](const Point<2> &) {
     return std::make_pair(material.lame_lambda(), material.shear_modulus());
   };
+  of_volume.dilatations = [&](const NodalVector &displacement) {
+    return patch_dilatations(meshes.finest(), 0, displacement);
+  };
   const VolumeContent content =
     collect_volume(meshes.finest(), state, {of_volume}, {VolumeField::stress});
   const auto values = [&](const std::string &name) -> const auto &

@@ -53,7 +53,7 @@ namespace StickSlip
                  const unsigned int min_nodes_per_process = 500)
       : meshes(with_patches(bodies, materials),
                stack_topology<dim>(names(bodies.size()),
-                                   names(bodies.size() - 1)),
+                                   names(bodies.size() - 1, 1)),
                communicator,
                min_nodes_per_process)
       , materials(materials)
@@ -106,11 +106,11 @@ namespace StickSlip
     }
 
     static std::vector<std::string>
-    names(const unsigned int n)
+    names(const unsigned int n, const unsigned int first = 0)
     {
       std::vector<std::string> result;
       for (unsigned int b = 0; b < n; ++b)
-        result.push_back(std::to_string(b));
+        result.push_back(std::to_string(first + b));
       return result;
     }
   };

@@ -6,7 +6,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <stickslip/algebra/serial_order.h>
-#include <stickslip/mechanics/patch_volumes.h>
 #include <stickslip/output/atomic_file.h>
 #include <stickslip/output/volume_writer.h>
 
@@ -228,11 +227,10 @@ namespace StickSlip
                   const NodalVector                        &displacement,
                   const std::vector<VolumeMaterial<dim>>   &materials)
     {
-      std::vector<std::vector<double>> of_patches(own.level.bodies.size());
-      // Displacements out of the plane change no volume.
-      if (own.level.nodes.n_components() == dim)
-        for (unsigned int body = 0; body < of_patches.size(); ++body)
-          of_patches[body] = patch_dilatations(own.level, body, displacement);
+      std::vector<std::vector<double>> of_patches(materials.size());
+      for (unsigned int body = 0; body < materials.size(); ++body)
+        if (materials[body].dilatations)
+          of_patches[body] = materials[body].dilatations(displacement);
       std::vector<SymmetricTensor<2, 3>> stresses;
       own.for_each_cell([&](const unsigned int body, const auto &cell) {
         const SymmetricTensor<2, 3>    &strain = strains[stresses.size()];

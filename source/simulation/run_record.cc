@@ -15,13 +15,13 @@
 #include <stickslip/simulation/fault_layouts.h>
 #include <stickslip/simulation/fault_rigidity.h>
 #include <stickslip/simulation/run_record.h>
+#include <stickslip/simulation/volume_materials.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace StickSlip
@@ -43,52 +43,6 @@ namespace StickSlip
           directory.remove_later_results(kept);
         }
       return directory;
-    }
-
-
-
-    /** For the stress of all bodies; with what varies in any of them as fields
-     * to look at. */
-    template <int dim>
-    std::vector<VolumeMaterial<dim>>
-    volume_materials(const SceneParameters<dim> &scene)
-    {
-      using Entry =
-        std::tuple<std::string, std::string, SpatialField MaterialFields::*>;
-      static const std::vector<Entry> entries = {
-        {"youngs_modulus", "Pa", &MaterialFields::youngs_modulus},
-        {"poissons_ratio", "1", &MaterialFields::poissons_ratio},
-        {"density", "kg/m^3", &MaterialFields::density},
-        {"shear_viscosity", "Pa s", &MaterialFields::shear_viscosity},
-        {"bulk_viscosity", "Pa s", &MaterialFields::bulk_viscosity}};
-
-      std::vector<VolumeMaterial<dim>> result;
-      for (const BodyParameters<dim> &body : scene.bodies)
-        {
-          result.emplace_back();
-          result.back().lame_parameters =
-            [at = body.material.template function<dim>()](
-              const Point<dim> &point) {
-              const Material material = at(point);
-              return std::make_pair(material.lame_lambda(),
-                                    material.shear_modulus());
-            };
-        }
-      for (const auto &[name, units, field] : entries)
-        if (std::any_of(scene.bodies.begin(),
-                        scene.bodies.end(),
-                        [field = field](const BodyParameters<dim> &body) {
-                          return !(body.material.*field).is_constant();
-                        }))
-          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-            {
-              const MaterialFields &material = scene.bodies[b].material;
-              result[b].fields.push_back(
-                {name,
-                 units,
-                 (material.*field).template function<dim>(material.section)});
-            }
-      return result;
     }
 
 
@@ -323,7 +277,7 @@ namespace StickSlip
       content =
         collect_volume(space.meshes().finest(),
                        {state.displacement, state.velocity, state.acceleration},
-                       volume_materials(scene),
+                       volume_materials(scene, space.meshes().finest()),
                        scene.output.volume_fields);
     std::vector<std::vector<double>> station_values;
     if (at_stations)

@@ -59,7 +59,7 @@ def aspects():
             scene = slider(
                 22.6 if aspect <= 10 else 2,
                 body={"Coarse cells": cells, "Refinement passes": "1"},
-                fault={"Normal stress": "lithostatic"} if aspect > 10 else {},
+                fault={"Normal stress": "lithostatic"} if aspect >= 10 else {},
             )
             yield Case("aspect of the cells", f"aspect {aspect}, {shape}", scene,
                        UMFPACK, "exact linear corrections")

@@ -14,9 +14,9 @@
 namespace StickSlip
 {
   /**
-   * What resists the change of volume of a patch of cells on the mean: with the
-   * derivatives g_i of the volume |P| by the displacements of the nodes, the
-   * stiffness of the patch is kappa g_i g_j^T / |P|.
+   * The change of volume of a patch of cells on the mean and the moduli that
+   * resist it: with the derivatives g_i of the volume |P| by the displacements
+   * of the nodes, the stiffness of the patch is kappa g_i g_j^T / |P|.
    */
   template <int dim>
   struct PatchVolume

@@ -36,6 +36,10 @@ namespace StickSlip
     std::function<std::pair<double, double>(const Point<dim> &)>
       lame_parameters;
 
+    /** The volumetric strain that each active cell resists after a nodal
+     * displacement; none: that of its centre. */
+    std::function<std::vector<double>(const NodalVector &)> dilatations;
+
     /** Values to write besides; the same names for all bodies. */
     std::vector<VolumeMaterialField<dim>> fields;
   };

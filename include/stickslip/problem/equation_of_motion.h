@@ -171,7 +171,7 @@ namespace StickSlip
     void
     assemble();
 
-    /** Those of the assembled terms. */
+    /** The nodes of nearly incompressible bodies, from the assembled terms. */
     StiffVolumes
     stiff_volumes() const;
 
