@@ -161,8 +161,9 @@ def draw_convergence(records):
 
 def doublings(family, record):
     """How often the cells are doubled against the published mesh, which is the one
-    that sets nothing."""
-    published = next(i for i, r in enumerate(family) if not r["settings"])
+    that sets nothing of the bodies."""
+    published = next(
+        i for i, r in enumerate(family) if "Bodies/" not in r["settings"])
     return published - family.index(record)
 
 

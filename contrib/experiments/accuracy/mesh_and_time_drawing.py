@@ -23,6 +23,10 @@ STYLES = {
     "accuracy 5e-3": (PURPLE, "o", "-"),
     "accuracy 3e-3": (SKY, "o", "-"),
     "accuracy 2e-3": (BLUE, "o", "-"),
+    "at least 40 x 8 cells, accuracy 3e-3": (YELLOW, "D", "-."),
+    "at least 64 x 12 cells, accuracy 3e-3": (VERMILION, "D", "-."),
+    "at least 64 x 12 cells, accuracy 2e-3": (PURPLE, "D", "-."),
+    "at least 80 x 16 cells, accuracy 2e-3": (SKY, "D", "-."),
 }
 
 

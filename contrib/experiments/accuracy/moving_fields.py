@@ -34,8 +34,8 @@ class FieldsCase:
                 "Time/End time": f"{END:g}",
                 "Output/Volume fields": "displacement, velocity",
                 "Output/Write fault surfaces": "false",
-                "Output/Volume slip rate factor": "1.5",
-                "Output/Volume slip interval": "5e-6",
+                "Output/Volume slip rate factor": "2",
+                "Output/Volume slip interval": "1e-5",
                 "Output/Volume shortest interval": "2e-4",
                 "Output/Volume longest interval": "0.5",
             }))

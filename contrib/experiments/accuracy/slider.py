@@ -12,12 +12,9 @@ from common.store import Store
 from . import mesh_search, reduced
 
 SCENE = "parameters/spring_slider.prm"
-ACCURATE = "parameters/spring_slider_accurate.prm"
 FIVE_BODIES = "parameters/layered_five_bodies.prm"
-ACCURATE_FIVE_BODIES = "parameters/layered_five_bodies_accurate.prm"
 # That has events; the others of five bodies hardly slip.
-TOP_FAULTS = {SCENE: "fault", ACCURATE: "fault",
-              FIVE_BODIES: "fault4", ACCURATE_FIVE_BODIES: "fault4"}
+TOP_FAULTS = {SCENE: "fault", FIVE_BODIES: "fault4"}
 # s: after the first four events, and after eleven or twelve; a bit more than where
 # slip is compared, to interpolate.
 SHORT, LONG = 28.5, 40.5
