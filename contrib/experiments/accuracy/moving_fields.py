@@ -18,6 +18,8 @@ from .slider import SCENE
 LEVELS = 5
 # s: after the second event.
 END = 24.5
+# s: before that displacements since the start are lost in the digits of the files.
+BEGIN = 1.0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,10 +51,12 @@ class Fields:
         collection = ElementTree.parse(self.folder / "solution.pvd").getroot()
         sets = [(float(d.get("timestep")), d.get("file"))
                 for d in collection.iter("DataSet")]
-        (_, first), *self.sets = sets
+        first = sets[0][1]
+        self.sets = [(time, name) for time, name in sets if time >= BEGIN]
         self.order = None
         self.start = self.read(first)["displacement"]
-        self.steps = read_table(self.folder / "time_series.csv")["time"]
+        steps = read_table(self.folder / "time_series.csv")["time"]
+        self.steps = steps[steps >= BEGIN]
         self.events = [
             (start, end) for start, end in zip(*(
                 read_table(self.folder / "events.csv")[name]

@@ -124,7 +124,7 @@ def outcome(store):
         rows)
     changes = ", ".join(f"{number:,}" for _, number in kept)
     return (
-        f"{len(times)} sets of fields, {weights.sum():,} steps, of them "
+        f"{len(times)} sets of fields from 1 s on, {weights.sum():,} steps, of them "
         f"{weights[in_events].sum():,} in the two events. Interpolated from cells twice "
         "as large as those of the run, the energy of displacements has an error of at "
         f"most {percent(finest['displacement'])}, that of velocities of "

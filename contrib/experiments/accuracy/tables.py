@@ -4,8 +4,8 @@
 
 from common import page
 
-# s: between two of the first four events, of five bodies and of the spring slider.
-INTERVALS = {"five bodies": 2.7}
+# s: mean between two of the first four events, of five bodies and of the spring slider.
+INTERVALS = {"five bodies": 2.54}
 INTERVAL = 1.81
 
 
