@@ -9,7 +9,7 @@ import tempfile
 from common import page, programs
 from common.store import Store
 
-from . import moving_meshes, shipped_meshes, verification
+from . import large_slip_meshes, moving_meshes, shipped_meshes, verification
 from .sections import PAGE
 
 
@@ -37,9 +37,11 @@ def moving(quick, folder):
     moving_meshes.measure(Store(folder), quick)
 
 
-def shipped(quick, _):
-    """Meshes of the other shipped scenes beside those of the same error."""
+def shipped(quick, folder):
+    """Meshes of the other shipped scenes beside those of the same error, and what
+    events are worth on that of one of them."""
     shipped_meshes.measure(quick)
+    large_slip_meshes.measure(Store(folder), quick)
 
 
 SECTIONS = {"verification": verify, "hard": hard, "moving": moving, "shipped": shipped}
