@@ -53,7 +53,8 @@ def all_cases():
     grid = [case_of(mesh, DEFAULT_TOLERANCE, REFERENCE) for mesh in MESHES]
     other = case_of(MESHES[2], DEFAULT_TOLERANCE, None)
     checks = [
-        case_of(bounded(2, 1, "1.5e-3"), DEFAULT_TOLERANCE, REFERENCE, CHECKS),
+        *(case_of(mesh, DEFAULT_TOLERANCE, REFERENCE, CHECKS)
+          for mesh in (bounded(2, 1, "1.5e-3"), bounded(3, 1, "7e-4"))),
         case_of(MESHES[2], "4.5e-7", other, STEPS),
         REFERENCE,
     ]
