@@ -257,6 +257,44 @@ TEST(AdaptiveMeshes, EstimatedErrorIsTheTrueOne)
 
 
 
+/** Bodies without mass and viscosity, sheared as a whole: what a start has made
+ * of its problem is not in the first estimate. */
+TEST(AdaptiveMeshes, AStartLeavesNothingInTheEstimate)
+{
+  SceneParameters<2> scene =
+    SceneReader(STICKSLIP_SOURCE_DIR "/parameters/first_on_earth.prm",
+                {"Bodies/footwall/Refinement passes=0",
+                 "Bodies/hanging_wall/Refinement passes=0",
+                 "Mesh/Accuracy=0.2"})
+      .read<2>();
+  std::ostringstream report;
+  adapt_meshes(scene, no_limit, report);
+  const std::string text  = report.str();
+  const std::size_t place = text.find("loading ");
+  EXPECT_NE(text.find("1 round "), std::string::npos) << text;
+  ASSERT_NE(place, std::string::npos) << text;
+  EXPECT_LT(std::stod(text.substr(place + 8)), 0.02) << text;
+}
+
+
+
+/** Bodies without weight do not move at the start: no error is told of that. */
+TEST(AdaptiveMeshes, LoadsThatMoveNothingHaveNoError)
+{
+  SceneParameters<2> scene =
+    SceneReader(STICKSLIP_SOURCE_DIR "/parameters/thrust_sequence.prm",
+                {"Mesh/Accuracy=0.99"})
+      .read<2>();
+  std::ostringstream report;
+  adapt_meshes(scene, no_limit, report);
+  const std::string text = report.str();
+  EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+  EXPECT_EQ(text.find("loads at the start"), std::string::npos) << text;
+  EXPECT_NE(text.find("loading"), std::string::npos) << text;
+}
+
+
+
 /** A patch that weakens in bodies without ends: hardly more cells
  * and the same error beside the joint as in the middle. */
 TEST(AdaptiveMeshes, BodiesWithoutEndsHaveNoPlaces)

@@ -76,7 +76,7 @@ def check_reduction(reduced):
             group["weight"], group["time"] = [0.5, 0.5, 1.0], time
             group["slip"] = np.outer(time, [1.0, 2.0, 3.0])
             group["slip_rate"] = -(10.0 ** (-np.outer(time, [1.0, 0.1, 0.2])))
-        reduced.reduce(path)
+        reduced.reduce(path, "fault")
         arrays = reduced.load(path)
     if not np.allclose(arrays["slip"][0], 28.4 * np.array([2.0, 3.0, 1.0])):
         yield f"the slip is {arrays['slip'][0]}"

@@ -30,7 +30,7 @@ namespace
     {"quasi-dynamic, no viscosity", 1754, 161, 0.98, true},
     {"Uniform refinements = 1", 3652, 321, 1.72},
     {"Uniform refinements = 2", 7928, 641, 1.78},
-    {"spring_slider_accurate", 1282, 49, 1.01},
+    {"Mesh/Accuracy = 7.5e-3", 1282, 49, 1.01},
     {"layered_five_bodies", 6205, 764, 2.03},
     {"crossing_faults", 3680, 88, 1.53},
     {"nine_body_stack", 9712, 1088, 3.66},

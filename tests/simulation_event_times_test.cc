@@ -64,7 +64,7 @@ TEST(EventTimes, ConvergeWithTheMesh)
   // The mean interval of the events.
   const double interval = 1.8;
 
-  // Three quarters of the nodes of the finer one, and a sixth of its error.
+  // Half as many nodes again as the finer one, and half of its error.
   SceneParameters<2> accurate =
     published_scene("spring_slider_accurate", {"Time/End time=24.5"});
   std::ostringstream report;

@@ -7,6 +7,7 @@ from matplotlib.ticker import MaxNLocator
 
 from common.figures import (
     BLACK, BLUE, GREEN, GREY, IMAGES, ORANGE, PURPLE, SKY, VERMILION, YELLOW,
+    new_panels,
 )
 
 STATE_STYLES = {
@@ -40,18 +41,6 @@ def save(figure, name):
     figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
     return path
-
-
-def new_panels(n, width, height):
-    plt.rcParams["svg.hashsalt"] = "stickslip"
-    plt.rcParams["font.size"] = 9
-    figure, panels = plt.subplots(
-        1, n, figsize=(width, height), sharey=True, squeeze=False, layout="constrained"
-    )
-    for axes in panels[0]:
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.grid(alpha=0.3, linewidth=0.5)
-    return figure, panels[0]
 
 
 def shortest_times(records, solver, tau):

@@ -32,6 +32,19 @@ def new_figure(rows, columns=1, height=8.0, ratios=None, **options):
     )
 
 
+def new_panels(n, width, height):
+    """A row of panels with a common y axis, for lines over each other."""
+    plt.rcParams["svg.hashsalt"] = "stickslip"
+    plt.rcParams["font.size"] = 9
+    figure, panels = plt.subplots(
+        1, n, figsize=(width, height), sharey=True, squeeze=False, layout="constrained"
+    )
+    for axes in panels[0]:
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.grid(alpha=0.3, linewidth=0.5)
+    return figure, panels[0]
+
+
 def save(figure, name):
     """A PNG file of at most 256 colours, which is small, in doc/images; its path."""
     path = IMAGES / f"{name}.png"

@@ -100,6 +100,7 @@ class Store:
             )
             record = {
                 "title": case.title,
+                "scene": case.scene,
                 "settings": case.all_settings(),
                 "cpu_seconds": seconds,
                 "note": note,

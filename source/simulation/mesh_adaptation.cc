@@ -250,10 +250,13 @@ namespace StickSlip
                                              fine.level(),
                                              on_fine.values,
                                              materials);
+          // Nothing has moved.
+          if (!(error.energy > 0.))
+            continue;
           const double relative = left_on_fine * error.sum / error.energy,
                        counted  = relative / on_fine.allowance;
-          errors.report << (i > 0 ? ", " : "") << on_fine.name << ' '
-                        << relative;
+          errors.report << (errors.report.tellp() > 0 ? ", " : "")
+                        << on_fine.name << ' ' << relative;
           errors.largest = std::max(errors.largest, counted);
           errors.of_cells.resize(error.of_cells.size());
           for (unsigned int b = 0; b < error.of_cells.size(); ++b)
@@ -304,12 +307,17 @@ namespace StickSlip
         members_of(scene.bodies, &BodyParameters<dim>::material);
       SceneParameters<dim> trial_scene = scene;
 
+      std::vector<SlipPattern<dim>> patterns;
+      double                        time = 0.;
+      {
+        // No trial: a start changes its problem.
+        Trial<dim, n_components> start(trial_scene);
+        start.simulation.set_up();
+        patterns = slip_patterns(scene, start.simulation);
+        time     = time_of_loads(start.simulation.spatial_problem(),
+                             scene.time.end_time);
+      }
       auto coarse = std::make_unique<Trial<dim, n_components>>(trial_scene);
-      coarse->simulation.set_up();
-      const std::vector<SlipPattern<dim>> patterns =
-        slip_patterns(scene, coarse->simulation);
-      const double time = time_of_loads(coarse->simulation.spatial_problem(),
-                                        scene.time.end_time);
       for (unsigned int round = 1;; ++round)
         {
           coarse->solve(time, patterns);

@@ -9,9 +9,10 @@ Writes
 doc/data/speed_against_error.csv row by row, then the tables between the marks in
 doc/accuracy.md and the figures in doc/images; with --quick a few short runs are
 shown, and nothing is written. The results of sections that are not measured stay.
-The sections verification and hard are not made of runs of the spring slider: the first
+The sections verification, hard, moving and shipped have no rows in this table: the first
 takes its figures from the tests that compare with solutions from elsewhere, the second
-writes doc/hard_cases.md. Takes an hour and a half on one core, with --quick a minute.
+writes doc/hard_cases.md, the others tables of doc/meshes.md. Takes three hours on one core,
+with --quick a minute.
 --keep keeps finished runs in a folder, and takes from it those that are there.
 """
 
@@ -55,8 +56,9 @@ def main():
         print(f"{time.monotonic() - begin:.0f} s: {message}", flush=True)
 
     records = [] if arguments.quick else read()
-    with programs.temporary_folder() as folder:
-        store = SliderStore(arguments.keep or folder, log=log)
+    with programs.temporary_folder() as temporary:
+        folder = arguments.keep or temporary
+        store = SliderStore(folder, log=log)
         for name, section in sections.SECTIONS.items():
             if arguments.only not in (None, name):
                 continue
@@ -70,7 +72,7 @@ def main():
         for name, section in others.SECTIONS.items():
             if arguments.only == name or not (arguments.only or arguments.quick):
                 log(name)
-                section(arguments.quick)
+                section(arguments.quick, folder)
     if not arguments.quick:
         for path in sections.publish(read()):
             print(f"{path} is written.")

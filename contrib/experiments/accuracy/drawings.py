@@ -8,7 +8,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from common import figures
 from common.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION
 
-from . import cases, front
+from . import cases, front, mesh_and_time, mesh_and_time_drawing
 from .tables import by_family, value
 
 STYLES = {
@@ -161,12 +161,22 @@ def draw_convergence(records):
 
 def doublings(family, record):
     """How often the cells are doubled against the published mesh, which is the one
-    that sets nothing."""
-    published = next(i for i, r in enumerate(family) if not r["settings"])
+    that sets nothing of the bodies."""
+    published = next(
+        i for i, r in enumerate(family) if "Bodies/" not in r["settings"])
     return published - family.index(record)
 
 
-FIGURES = {"front": draw_front, "convergence": draw_convergence}
+def draw_mesh_and_time(records):
+    own = [r for r in records if r["section"] == mesh_and_time.SECTION]
+    return mesh_and_time_drawing.draw(own, label_ticks)
+
+
+FIGURES = {
+    "front": draw_front,
+    "convergence": draw_convergence,
+    "mesh_and_time": draw_mesh_and_time,
+}
 
 
 def draw(records):

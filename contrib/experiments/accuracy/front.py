@@ -48,7 +48,7 @@ def default(records):
             for record in records
             if record["section"] == "time"
             and record["family"] == cases.DEFAULT
-            and record["tolerance"] == cases.DEFAULT_TOLERANCE
+            and not record["settings"]
         ),
         None,
     )

@@ -7,12 +7,13 @@ import subprocess
 import tempfile
 
 from common import page, programs
+from common.store import Store
 
-from . import verification
+from . import large_slip_meshes, moving_meshes, shipped_meshes, verification
 from .sections import PAGE
 
 
-def verify(quick):
+def verify(quick, _):
     """The figures of the tests, into the page; shown only if quick."""
     with tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
         text = verification.text(pathlib.Path(folder))
@@ -22,7 +23,7 @@ def verify(quick):
         page.replace_section("verification", text, PAGE, "contrib/accuracy")
 
 
-def hard(quick):
+def hard(quick, _):
     """The table of hard cases; quick: what they are."""
     subprocess.run(
         [programs.PROJECT / "contrib/hard_cases"]
@@ -31,4 +32,16 @@ def hard(quick):
     )
 
 
-SECTIONS = {"verification": verify, "hard": hard}
+def moving(quick, folder):
+    """How many vertices meshes would need that follow the fronts."""
+    moving_meshes.measure(Store(folder), quick)
+
+
+def shipped(quick, folder):
+    """Meshes of the other shipped scenes beside those of the same error, and what
+    events are worth on that of one of them."""
+    shipped_meshes.measure(quick)
+    large_slip_meshes.measure(Store(folder), quick)
+
+
+SECTIONS = {"verification": verify, "hard": hard, "moving": moving, "shipped": shipped}

@@ -19,25 +19,25 @@ SAMPLE_TIMES = np.linspace(5.0, 40.0, 701)
 SMALLEST_RATE = 1e-16
 
 
-def reduce(path):
-    """Write arrays.npz next to the program's files, of what there is."""
+def reduce(path, fault):
+    """Write arrays.npz next to the program's files, of what there is of a fault."""
     arrays = {}
     history = path / "files/faults.h5"
     if history.is_file():
-        arrays = history_arrays(history)
+        arrays = history_arrays(history, fault)
     catalogue = path / "files/events.csv"
     if catalogue.is_file():
         with open(catalogue, newline="") as file:
-            rows = list(csv.DictReader(file))
+            rows = [row for row in csv.DictReader(file) if row["fault"] == fault]
         arrays["event_times"] = np.array(
             [(float(row["start"]), float(row["end"])) for row in rows]
         ).reshape(-1, 2)
     np.savez_compressed(path / "arrays.npz", **arrays)
 
 
-def history_arrays(history):
+def history_arrays(history, fault):
     with h5py.File(history, "r") as file:
-        group = file["fault"]
+        group = file[fault]
         if group["time"].size < 2:
             return {}
         x = np.array(group["coordinates"])[:, 0]

@@ -8,10 +8,14 @@ from typing import Callable
 
 from common import page, programs
 
-from . import cases, drawings, front, independent_reference
+from . import (
+    cases, drawings, five_bodies, front, independent_reference, mesh_and_time,
+    mesh_and_time_text,
+)
 from .tables import by_family, table, tables, value
 
 PAGE = programs.PROJECT / "doc/accuracy.md"
+MESHES_PAGE = programs.PROJECT / "doc/meshes.md"
 COST = ["steps", "cycles", "cpu"]
 ERRORS = ["first", "error", "largest", "share", "slip", "rate", "median", "note"]
 
@@ -100,6 +104,8 @@ SECTIONS = {
     "front": Section(cases.front_cases, front.text),
     "late": Section(cases.late_cases, late_text),
     "space": Section(cases.space_cases, space_text),
+    mesh_and_time.SECTION: Section(mesh_and_time.all_cases, mesh_and_time_text.text),
+    five_bodies.SECTION: Section(five_bodies.all_cases, mesh_and_time_text.text),
     "independent": Section(
         cases.independent_cases,
         lambda records: tables(
@@ -121,4 +127,9 @@ def publish(records):
         if own:
             text = section.text(records if name == "front" else own)
             page.replace_section(name, text, PAGE, "contrib/accuracy")
-    return [PAGE, *drawings.draw(records)]
+    for name in (mesh_and_time.SECTION, five_bodies.SECTION):
+        own = [record for record in records if record["section"] == name]
+        if own:
+            text = mesh_and_time_text.mesh_table(own)
+            page.replace_section(name, text, MESHES_PAGE, "contrib/accuracy")
+    return [PAGE, MESHES_PAGE, *drawings.draw(records)]

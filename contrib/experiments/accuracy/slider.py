@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""Whole runs of the spring slider, each kept so that it is done only once."""
+"""Whole runs of the published scenes, each kept so that it is done only once."""
 
 import dataclasses
 import json
@@ -9,9 +9,12 @@ import shutil
 from common import runs
 from common.store import Store
 
-from . import reduced
+from . import mesh_search, reduced
 
 SCENE = "parameters/spring_slider.prm"
+FIVE_BODIES = "parameters/layered_five_bodies.prm"
+# That has events; the others of five bodies hardly slip.
+TOP_FAULTS = {SCENE: "fault", FIVE_BODIES: "fault4"}
 # s: after the first four events, and after eleven or twelve; a bit more than where
 # slip is compared, to interpolate.
 SHORT, LONG = 28.5, 40.5
@@ -51,10 +54,21 @@ class SliderStore(Store):
 
     def finish(self, folder, record):
         results = runs.results(folder / "files")
-        events = next(iter(results.pop("events").values()), [])
-        reduced.reduce(folder)
+        fault = TOP_FAULTS[record["scene"]]
+        events = results.pop("events").get(fault, [])
+        reduced.reduce(folder, fault)
+        search = self.search_seconds(folder / "files", record)
         shutil.rmtree(folder / "files", ignore_errors=True)
-        return {"summary": results, "events": events}
+        return {"summary": results, "events": events, **search}
+
+    def search_seconds(self, files, record):
+        """For the mesh; nothing where there is no search."""
+        cells = files / "refined_cells.txt"
+        if not cells.is_file():
+            return {}
+        seconds = mesh_search.seconds(
+            self.program, record["scene"], record["settings"], cells)
+        return {"search_cpu_seconds": seconds}
 
     def result(self, case):
         """A dictionary with cpu_seconds, note (empty unless the run failed), summary
