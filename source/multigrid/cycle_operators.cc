@@ -69,10 +69,8 @@ namespace StickSlip
                                           description.nonsmooth_nodes) :
                         std::vector<NodeLine>(),
       patches);
-    if (patches.empty())
-      return;
     // Coarse cells keep the volumes of the patches on the finest level.
-    if (l > 0 && l + 1 < levels.size())
+    if (!patches.empty() && l > 0 && l + 1 < levels.size())
       level.middles = MiddleNodes<n_components>(
         description.to_coarser->prolongation(),
         description.to_coarser->coarse_nodes().n_owned(),

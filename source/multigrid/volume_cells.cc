@@ -31,8 +31,7 @@ namespace StickSlip
         , place(is_part.size(), numbers::invalid_unsigned_int)
       {}
 
-      /** Call @p action(cell) for all cells of a node, or for those only of
-       * which it is the first node. */
+      /** Call @p action(cell) for all cells of which a node is the first one. */
       template <typename Action>
       void
       for_each_cell(const unsigned int node, const Action &action)
