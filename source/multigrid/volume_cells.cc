@@ -31,7 +31,8 @@ namespace StickSlip
         , place(is_part.size(), numbers::invalid_unsigned_int)
       {}
 
-      /** Call @p action(cell) for all cells of which a node is the first one. */
+      /** Call @p action(cell) for all cells of which a node is the first one.
+       */
       template <typename Action>
       void
       for_each_cell(const unsigned int node, const Action &action)
