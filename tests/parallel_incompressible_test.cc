@@ -15,14 +15,14 @@ using namespace StickSlip::Tests;
 
 namespace
 {
-  /** Steps of conjugate gradients for two operators, the fault not stuck. */
-  std::vector<unsigned int>
-  steps(const double poissons_ratio, const MPI_Comm communicator)
+  /** Two bodies whose volumetric strains are means over patches. */
+  SpatialScene<2>
+  make_scene(const double poissons_ratio, const MPI_Comm communicator)
   {
     Material material;
     material.poissons_ratio    = poissons_ratio;
     material.volumetric_strain = VolumetricStrain::patch_mean;
-    SpatialScene<2> scene(
+    return SpatialScene<2>(
       stack<2>(
         {make_body<2>(1., {{10, 2}}, 4), make_body<2>(1., {{10, 2}}, 4)}),
       {make_side<2>("0",
@@ -35,6 +35,15 @@ namespace
       0.,
       communicator,
       1);
+  }
+
+
+
+  /** Steps of conjugate gradients for two operators, the fault not stuck. */
+  std::vector<unsigned int>
+  steps(const double poissons_ratio, const MPI_Comm communicator)
+  {
+    SpatialScene<2>           scene = make_scene(poissons_ratio, communicator);
     LevelHierarchy<2>        &hierarchy = scene.problem.hierarchy();
     std::vector<unsigned int> result;
     for (const std::vector<double> &coefficients :
@@ -77,4 +86,38 @@ TEST(ParallelIncompressible, StepsGrowWithTheCuts)
           EXPECT_LE(shared[k], nu == 0.3 ? 20u : 45u) << nu << ' ' << k;
         }
     }
+}
+
+
+
+TEST(ParallelIncompressible, PatchesAreWholeWhereverProcessesCutThem)
+{
+  // The size of the forces of a displacement that changes volumes, and its
+  // energy.
+  const auto forces = [](const MPI_Comm communicator) {
+    SpatialScene<2>     scene = make_scene(0.499, communicator);
+    const MeshLevel<2> &level = scene.meshes.finest();
+    NodalVector         u     = scene.problem.make_nodal_vector();
+    for (unsigned int b = 0; b < level.bodies.size(); ++b)
+      {
+        const std::vector<Point<2>> points = level.bodies[b]->node_positions();
+        for (unsigned int dof = 0; dof < points.size(); ++dof)
+          if (level.nodes.owned().is_element(level.global_node(b, dof)) &&
+              !level.bodies[b]->bound_nodes().is_constrained(dof))
+            {
+              const double x = points[dof][0], y = points[dof][1];
+              u.local_element(2 * level.node(b, dof)) = std::sin(3. * x + b);
+              u.local_element(2 * level.node(b, dof) + 1) =
+                x * y + std::cos(5. * y);
+            }
+      }
+    NodalVector w = scene.problem.make_vector(), Kw = w;
+    scene.problem.to_jumps(w, u);
+    scene.problem.term(SpatialProblem<2>::stiffness).vmult(Kw, w);
+    return std::make_pair(Kw.l2_norm(), w * Kw);
+  };
+  const auto alone  = forces(MPI_COMM_SELF);
+  const auto shared = forces(MPI_COMM_WORLD);
+  EXPECT_NEAR(shared.first, alone.first, 1e-12 * alone.first);
+  EXPECT_NEAR(shared.second, alone.second, 1e-12 * alone.second);
 }
