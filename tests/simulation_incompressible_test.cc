@@ -35,7 +35,7 @@ namespace
 
 
 
-// Means over single cells give tractions that alternate by 20 and 40 % of their
+// Means over single cells give tractions that alternate by 30 and 40 % of their
 // largest one from node to node, nodes that slip at once, and 40 times the
 // steps.
 TEST(NearlyIncompressible, TractionsOfTheFaultDoNotAlternate)
