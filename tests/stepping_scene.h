@@ -5,6 +5,7 @@
 #define stickslip_tests_stepping_scene_h
 
 #include <stickslip/friction/rate_and_state.h>
+#include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
@@ -83,7 +84,7 @@ namespace StickSlip::Tests
                         scene.boundary_conditions,
                         scene.topology.body_names())
       , problem(meshes,
-                materials(scene),
+                members_of(scene.bodies, &BodyParameters<2>::material),
                 boundary_values,
                 scene.gravity_vector(),
                 scene.time.inertia == Inertia::dynamic)
@@ -100,15 +101,6 @@ namespace StickSlip::Tests
                   const std::vector<std::string> &overrides = {})
       : SteppingScene(read_scene(text, overrides))
     {}
-
-    static std::vector<MaterialFields>
-    materials(const SceneParameters<2> &scene)
-    {
-      std::vector<MaterialFields> result;
-      for (const BodyParameters<2> &body : scene.bodies)
-        result.push_back(body.material);
-      return result;
-    }
 
     /** Everything that depends on the contact mapping; normal stresses follow
      * if they are asked to. */

@@ -76,10 +76,10 @@ namespace StickSlip
 
 
 
-    template <int dim, int n_components>
+    template <int dim>
     std::shared_ptr<const BlockSparsity>
-    make_sparsity(const MeshLevel<dim>              &level,
-                  const std::vector<MaterialFields> &materials)
+    make_sparsity(const MeshLevel<dim>                &level,
+                  const std::vector<PatchVolume<dim>> &patches)
     {
       std::vector<std::vector<unsigned int>> couplings(level.nodes.n_owned());
       for_each_cell(level,
@@ -94,15 +94,11 @@ namespace StickSlip
                               for (const auto &j : row_j)
                                 couplings[i.first].push_back(j.first);
                     });
-      // Displacements out of the plane change no volume.
-      if constexpr (n_components == dim)
-        for_each_patch_volume<dim>(
-          level, materials, [&](const PatchVolume<dim> &patch) {
-            for (const auto &i : patch.gradients)
-              if (i.first < couplings.size())
-                for (const auto &j : patch.gradients)
-                  couplings[i.first].push_back(j.first);
-          });
+      for (const PatchVolume<dim> &patch : patches)
+        for (const auto &i : patch.gradients)
+          if (i.first < couplings.size())
+            for (const auto &j : patch.gradients)
+              couplings[i.first].push_back(j.first);
       return std::make_shared<const BlockSparsity>(std::move(couplings));
     }
 
@@ -200,16 +196,15 @@ namespace StickSlip
     /** Add what resists the mean changes of volume of patches. */
     template <int dim>
     void
-    add_patch_volumes(const MeshLevel<dim>              &level,
-                      const std::vector<MaterialFields> &materials,
-                      BlockMatrix<dim>                  &stiffness,
-                      BlockMatrix<dim>                  &damping,
-                      ElasticMatrices<dim>              &result)
+    add_patch_volumes(const std::vector<PatchVolume<dim>> &patches,
+                      BlockMatrix<dim>                    &stiffness,
+                      BlockMatrix<dim>                    &damping,
+                      ElasticMatrices<dim>                &result)
     {
-      std::vector<bool> is_stiff(level.nodes.n_owned(), false),
-        is_viscous(level.nodes.n_owned(), false);
-      for_each_patch_volume<dim>(
-        level, materials, [&](const PatchVolume<dim> &patch) {
+      std::vector<bool> is_stiff(stiffness.n_rows(), false),
+        is_viscous(stiffness.n_rows(), false);
+      for (const PatchVolume<dim> &patch : patches)
+        {
           const auto add_to = [&](BlockMatrix<dim> &matrix,
                                   const double      modulus) {
             for (const auto &[i, gradient_i] : patch.gradients)
@@ -236,7 +231,7 @@ namespace StickSlip
             for (const auto &[i, gradient] : patch.gradients)
               if (i < is_stiff.size())
                 (elastic <= viscous ? is_stiff : is_viscous)[i] = true;
-        });
+        }
       for (unsigned int i = 0; i < is_stiff.size(); ++i)
         if (is_stiff[i])
           result.stiff_volumes.push_back(i);
@@ -253,7 +248,11 @@ namespace StickSlip
                             const std::vector<MaterialFields> &materials,
                             const bool                         with_mass)
   {
-    const auto sparsity = make_sparsity<dim, n_components>(level, materials);
+    // Displacements out of the plane change no volume.
+    const std::vector<PatchVolume<dim>> patches =
+      n_components == dim ? patch_volumes(level, materials) :
+                            std::vector<PatchVolume<dim>>();
+    const auto sparsity     = make_sparsity(level, patches);
     bool       with_damping = false;
     for (unsigned int b = 0; b < materials.size(); ++b)
       with_damping |= !level.bodies[b]->is_rigid() && materials[b].is_viscous();
@@ -308,7 +307,7 @@ namespace StickSlip
       });
     ElasticMatrices<n_components> result;
     if constexpr (n_components == dim)
-      add_patch_volumes(level, materials, stiffnesses, dampings, result);
+      add_patch_volumes(patches, stiffnesses, dampings, result);
     result.stiffness = std::move(stiffnesses);
     if (with_mass)
       result.mass = TermMatrix<n_components>::of_numbers(std::move(masses));

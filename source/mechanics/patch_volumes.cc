@@ -99,12 +99,11 @@ namespace StickSlip
 
 
   template <int dim>
-  void
-  for_each_patch_volume(
-    const MeshLevel<dim>                                &level,
-    const std::vector<MaterialFields>                   &materials,
-    const std::function<void(const PatchVolume<dim> &)> &visit)
+  std::vector<PatchVolume<dim>>
+  patch_volumes(const MeshLevel<dim>              &level,
+                const std::vector<MaterialFields> &materials)
   {
+    std::vector<PatchVolume<dim>> result;
     for (unsigned int body = 0; body < level.bodies.size(); ++body)
       if (!level.bodies[body]->is_rigid() &&
           materials[body].volumetric_strain == VolumetricStrain::patch_mean)
@@ -112,8 +111,9 @@ namespace StickSlip
                       body,
                       materials,
                       [&](const auto &, const PatchVolume<dim> &patch) {
-                        visit(patch);
+                        result.push_back(patch);
                       });
+    return result;
   }
 
 
@@ -151,12 +151,8 @@ namespace StickSlip
   patch_dilatations<3>(const MeshLevel<3> &,
                        const unsigned int,
                        const NodalVector &);
-  template void
-  for_each_patch_volume<2>(const MeshLevel<2> &,
-                           const std::vector<MaterialFields> &,
-                           const std::function<void(const PatchVolume<2> &)> &);
-  template void
-  for_each_patch_volume<3>(const MeshLevel<3> &,
-                           const std::vector<MaterialFields> &,
-                           const std::function<void(const PatchVolume<3> &)> &);
+  template std::vector<PatchVolume<2>>
+  patch_volumes<2>(const MeshLevel<2> &, const std::vector<MaterialFields> &);
+  template std::vector<PatchVolume<3>>
+  patch_volumes<3>(const MeshLevel<3> &, const std::vector<MaterialFields> &);
 } // namespace StickSlip

@@ -18,8 +18,9 @@ from.
 A case holds if the run reaches its end, if the reference does and both agree to
 1e-5 (see compare.py), if a run with a tenth of the tolerances of the steps agrees
 to 0.05 ('in time'), and if no more than 1e-3 of the work is missing in the
-balance of energy, or 1e-8 of the elastic energy, which is rounding. It is 'refused' if the program says no as it should, and
-'warned' if it is wrong and the program says that steps are too long or cells too stiff.
+balance of energy, or 1e-8 of the elastic energy, which is rounding. It is
+'refused' if the program says no as it should, and 'warned' if it is wrong and the
+program says that steps are too long or cells too stiff.
 """
 
 import pathlib
@@ -111,7 +112,7 @@ def measure(program, case, folder):
             elastic = result.number("Energy/elastic, at the end") or 0
             missing = abs(result.number("Energy/missing") or 0)
             is_wrong |= (abs(defect) > LARGEST_DEFECT
-                        and missing > ROUNDING * elastic)
+                         and missing > ROUNDING * elastic)
 
     def is_far_from(scene, name, column, largest):
         """Note how far the run is from that of another scene in a column."""

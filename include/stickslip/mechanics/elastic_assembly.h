@@ -41,8 +41,8 @@ namespace StickSlip
    * The mass matrix only @p with_mass. Parameters that vary are taken at the
    * quadrature points.
    *
-   * Where a material asks for the mean volumetric strain of patches of cells,
-   * that takes the place of tr(eps) in the part of the stiffness and of the
+   * The mean volumetric strain of patches of cells, where a material asks for
+   * it, takes the place of tr(eps) in the part of the stiffness and of the
    * viscosity that resists the change of volume; the deviatoric part is
    * integrated in full (Nagtegaal, Parks and Rice 1974; Hughes 1980). Moduli of
    * the mean strain are means over the patch as well.

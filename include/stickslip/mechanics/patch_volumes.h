@@ -7,7 +7,6 @@
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/mesh/mesh_level.h>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -31,16 +30,14 @@ namespace StickSlip
   };
 
   /**
-   * Call @p visit on each patch that touches an owned node, in bodies whose
-   * material asks for the mean volumetric strain; @p materials in the order of
-   * the bodies. The patches of these must be coupled, see CoarseBody.
+   * The patches that touch an owned node, in bodies whose material asks for the
+   * mean volumetric strain; @p materials in the order of the bodies. The
+   * patches of these must be coupled, see CoarseBody.
    */
   template <int dim>
-  void
-  for_each_patch_volume(
-    const MeshLevel<dim>                                &level,
-    const std::vector<MaterialFields>                   &materials,
-    const std::function<void(const PatchVolume<dim> &)> &visit);
+  std::vector<PatchVolume<dim>>
+  patch_volumes(const MeshLevel<dim>              &level,
+                const std::vector<MaterialFields> &materials);
 
   /**
    * The volumetric strain of a nodal @p displacement on each active cell of a
