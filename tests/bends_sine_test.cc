@@ -201,7 +201,9 @@ end
              (energy.elastic_energy(simulation.state()) -
               expected_energy(slip)) /
                most_energy);
-        const double missing = energy.defect(simulation.state()) / most_energy;
+        const double missing = (energy.defect(simulation.state()) +
+                                energy.work().mappings) /
+                               most_energy;
         note(worst.work,
              energy.work().driven_sides / most_energy + missing -
                expected_energy(slip) / most_energy);

@@ -98,7 +98,7 @@ namespace
       balance.defect(simulation.state()) / balance.work().largest();
     outcome.mappings = simulation.counts().contact_mappings;
     std::cout << outcome.mappings << " mappings, energy missing "
-              << outcome.missing << ", momentum " << outcome.pushed << " and "
+              << outcome.missing << ", mappings add " << balance.work().mappings / balance.work().largest() << ", momentum " << outcome.pushed << " and "
               << outcome.momentum << '\n';
     return outcome;
   }

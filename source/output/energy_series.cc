@@ -24,6 +24,7 @@ namespace StickSlip
              J,
              "taken since the start by sides that come together and by bonds "
              "that break"},
+            {"mappings", J, "added by new contact mappings since the start"},
             {"missing",
              J,
              "change of kinetic and elastic energy since the start that the "
@@ -55,7 +56,7 @@ namespace StickSlip
     file << record.time << ',' << record.kinetic << ',' << record.elastic << ','
          << record.driven_sides << ',' << record.loads << ',' << record.friction
          << ',' << record.viscosity << ',' << record.radiation << ','
-         << record.contact << ',' << record.missing;
+         << record.contact << ',' << record.mappings << ',' << record.missing;
     file.end_row();
   }
 } // namespace StickSlip

@@ -207,7 +207,14 @@ namespace StickSlip
                       expected_slip.begin() + first + n);
         first += n;
         if (slave.is_plane() && master.is_plane())
-          continue;
+          {
+            for (unsigned int k = 0; k < slip.size(); ++k)
+              for (unsigned int c = 0; c < dim - 1; ++c)
+                for (unsigned int d = 0; d < dim; ++d)
+                  displacements[f].slave[k][d] +=
+                    0.5 * slip[k][c] * axes_now[f].at(k)[d][c];
+            continue;
+          }
         try
           {
             SecantCoupling<dim> coupling =
@@ -444,6 +451,21 @@ namespace StickSlip
     to_jump_basis->prolongation().restrict_to(dual, f, n_components);
     rotation.add_transpose(-1., dual);
     return dual;
+  }
+
+
+
+  template <int dim, int n_components>
+  NodalVector
+  ContactSpace<dim, n_components>::to_nodal_forces(
+    const NodalVector &dual) const
+  {
+    NodalVector turned = dual, forces = make_vector(),
+                result = make_nodal_vector();
+    rotation.add_transpose(1., turned);
+    B_inverse.restrict_to(forces, turned, n_components);
+    std::copy_n(forces.begin(), forces.locally_owned_size(), result.begin());
+    return result;
   }
 
 

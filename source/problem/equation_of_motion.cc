@@ -5,6 +5,7 @@
 #include <stickslip/problem/equation_of_motion.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace StickSlip
 {
@@ -145,11 +146,66 @@ namespace StickSlip
   NodalVector
   EquationOfMotion<dim, n_components>::load(const double time)
   {
+    NodalVector result = external_load(time);
+    if (partners.is_there())
+      partners.add(time, 1., result);
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EquationOfMotion<dim, n_components>::constant_rate_until(
+    const double time) const
+  {
+    if (boundary.has_tractions())
+      return time;
+    return partners.is_there() && time < partners.end() ?
+             partners.end() :
+             std::numeric_limits<double>::max();
+  }
+
+
+
+  template <int dim, int n_components>
+  NodalVector
+  EquationOfMotion<dim, n_components>::load_rate(const double time) const
+  {
+    NodalVector result = space.make_vector();
+    if (partners.is_there() && time < partners.end())
+      result.add(-partners.rate, partners.first, partners.rate, partners.last);
+    return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  void
+  EquationOfMotion<dim, n_components>::set_partner_force(PartnerForce force)
+  {
+    partners = std::move(force);
+    if (!partners.is_there())
+      return;
+    // Vectors from a file have other ghosts.
+    PartnerForce::for_each_vector(partners, [this](NodalVector &vector) {
+      NodalVector own = space.make_vector();
+      std::copy_n(vector.begin(), own.locally_owned_size(), own.begin());
+      vector.swap(own);
+    });
+  }
+
+
+
+  template <int dim, int n_components>
+  NodalVector
+  EquationOfMotion<dim, n_components>::external_load(const double time)
+  {
     if (constant_load)
       return *constant_load;
     const bool  has_gravity = gravity_load.size() > 0;
     NodalVector dual;
-    if (has_gravity || !has_constant_load())
+    if (has_gravity || boundary.has_tractions())
       {
         NodalVector nodal =
           has_gravity ? gravity_load : space.make_nodal_vector();
@@ -160,7 +216,7 @@ namespace StickSlip
       dual = space.make_vector();
     if (fault_load.size() > 0)
       dual += fault_load;
-    if (has_constant_load())
+    if (!boundary.has_tractions())
       constant_load = std::make_unique<const NodalVector>(dual);
     return dual;
   }

@@ -136,23 +136,67 @@ namespace StickSlip
 
 
   template <int dim>
+  double
+  n_intervals(const FaultNodes<dim>                 &faults,
+              const std::vector<Tensor<1, dim - 1>> &slip,
+              const std::vector<double>             &distances)
+  {
+    double result = 0;
+    for (unsigned int k = 0; k < slip.size(); ++k)
+      result = std::max(result, slip[k].norm() / distances[faults.fault(k)]);
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<Tensor<1, dim - 1>>
-  expected_slip(const JumpBasis<dim>                  &basis,
-                const FaultNodes<dim>                 &faults,
-                const std::vector<Tensor<1, dim - 1>> &slip_rate,
+  expected_slip(const FaultNodes<dim>                 &faults,
+                const std::vector<Tensor<1, dim - 1>> &slip,
+                const std::vector<Tensor<1, dim - 1>> &since,
                 const std::vector<double>             &distances)
   {
-    if (!is_any_bent(basis))
-      return {};
-    double frequency = 0;
-    for (unsigned int k = 0; k < slip_rate.size(); ++k)
-      frequency =
-        std::max(frequency, slip_rate[k].norm() / distances[faults.fault(k)]);
-    std::vector<Tensor<1, dim - 1>> result = slip_rate;
-    for (Tensor<1, dim - 1> &slip : result)
-      if (frequency > 0.)
-        slip /= frequency;
+    std::vector<Tensor<1, dim - 1>> result = slip;
+    for (unsigned int k = 0; k < result.size(); ++k)
+      result[k] -= since[k];
+    if (const double n = n_intervals(faults, result, distances); n > 0.)
+      for (Tensor<1, dim - 1> &of_node : result)
+        of_node /= n;
     return result;
+  }
+
+
+
+  template <int dim, int n_components>
+  std::vector<Tensor<1, dim - 1>>
+  slip_accelerations(const ContactSpace<dim, n_components> &space,
+                     const FaultNodes<dim>                 &faults,
+                     const SystemState<dim>                &state)
+  {
+    if (state.acceleration.size() == 0)
+      return {};
+    NodalVector w = space.make_vector();
+    space.to_jumps(w, state.acceleration);
+    return faults.tangential_jumps(w);
+  }
+
+
+
+  template <int dim>
+  double
+  way_to_end(const MappingPlace<dim> &before, const MappingPlace<dim> &now)
+  {
+    double along = 0., squares = 0.;
+    for (unsigned int k = 0; k < now.slip.size(); ++k)
+      {
+        const Tensor<1, dim - 1> half_way = 0.5 * now.expected_slip[k];
+        Tensor<1, dim - 1> way = now.slip[k] + half_way - before.slip[k];
+        if (!before.expected_slip.empty())
+          way -= 0.5 * before.expected_slip[k];
+        along += half_way * way;
+        squares += way * way;
+      }
+    return squares > 0. ? std::clamp(along / squares, -1., 1.) : 0.;
   }
 
 
@@ -249,7 +293,8 @@ namespace StickSlip
                  const ContactSpace<dim, n_components> &space,
                  const FaultNodes<dim>                 &before,
                  const FaultNodes<dim>                 &now,
-                 const std::vector<double>             &distances_before)
+                 const std::vector<double>             &distances_before,
+                 std::vector<Tensor<1, dim - 1>>        slip_acceleration)
   {
     change_gaps(state,
                 space.jump_basis(),
@@ -264,6 +309,17 @@ namespace StickSlip
                  space,
                  before,
                  now);
+    if (!slip_acceleration.empty())
+      {
+        std::vector<double> opening_acceleration;
+        change_rates(state.acceleration,
+                     slip_acceleration,
+                     opening_acceleration,
+                     state.gap,
+                     space,
+                     before,
+                     now);
+      }
     // Rates of gaps are means over the step where there is one of velocities.
     if (state.mean_velocity.size() > 0)
       change_rates(state.mean_velocity,
@@ -287,8 +343,15 @@ namespace StickSlip
   template decltype(sliding_distances<3>)        sliding_distances<3>;
   template decltype(has_slid<2>)                 has_slid<2>;
   template decltype(has_slid<3>)                 has_slid<3>;
+  template decltype(n_intervals<2>)              n_intervals<2>;
+  template decltype(n_intervals<3>)              n_intervals<3>;
   template decltype(expected_slip<2>)            expected_slip<2>;
   template decltype(expected_slip<3>)            expected_slip<3>;
+  template decltype(slip_accelerations<2>)       slip_accelerations<2>;
+  template decltype(slip_accelerations<3>)       slip_accelerations<3>;
+  template decltype(slip_accelerations<2, 1>)    slip_accelerations<2, 1>;
+  template decltype(way_to_end<2>)               way_to_end<2>;
+  template decltype(way_to_end<3>)               way_to_end<3>;
   template decltype(background_normal_stress<2>) background_normal_stress<2>;
   template decltype(background_normal_stress<3>) background_normal_stress<3>;
   template decltype(side_distances<2>)           side_distances<2>;

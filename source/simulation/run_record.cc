@@ -64,6 +64,7 @@ namespace StickSlip
       record.viscosity    = work.viscosity;
       record.radiation    = work.radiation;
       record.contact      = work.contact;
+      record.mappings     = work.mappings;
       record.missing      = energy.missing(record.kinetic + record.elastic);
       return record;
     }

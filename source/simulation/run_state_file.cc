@@ -29,7 +29,7 @@ namespace StickSlip
      * anything that is written, size and checksum of all that follows the line
      * come next. */
     const std::string  first_word     = "stickslip-run-state";
-    constexpr unsigned format_version = 13;
+    constexpr unsigned format_version = 14;
 
 
 

@@ -15,6 +15,7 @@
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_balance.h>
 #include <stickslip/simulation/initial_motion.h>
+#include <stickslip/simulation/kept_tractions.h>
 #include <stickslip/simulation/initial_state.h>
 #include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/node_openings.h>
@@ -216,7 +217,7 @@ namespace StickSlip
     if (!state().contact_pressure.empty())
       run_state.stress_offset = std::move(start.stress_offset);
     run_state.coupled_displacement = problem.make_nodal_vector();
-    run_state.coupled_slip         = state().slip;
+    run_state.coupling.slip        = state().slip;
 
     prepare();
     note_gaps();
@@ -237,8 +238,9 @@ namespace StickSlip
       read_run_state<dim, n_components>(file_name, mesh_hierarchy.finest());
     run_state.restarts.push_back(state().time);
     problem.build_contact(run_state.coupled_displacement,
-                          run_state.expected_slip);
+                          run_state.coupling.expected_slip);
     problem.set_prestress(run_state.prestress);
+    problem.set_partner_force(std::move(run_state.partner_force));
     prepare();
     if (energy)
       energy->resume(state());
@@ -256,6 +258,7 @@ namespace StickSlip
         run_state.record          = record->state();
         run_state.recorded_faults = record->faults();
       }
+    run_state.partner_force  = problem.partner_force();
     run_state.linearisations = rate_state_step->kept_linearisations();
     write_run_state(file_name,
                     run_state,
@@ -327,8 +330,8 @@ namespace StickSlip
     if (scene.contact.follow_slip && n_components == dim &&
         has_slid(faults,
                  state().slip,
-                 run_state.coupled_slip,
-                 sliding_distances(problem.jump_basis(), scene.contact)))
+                 run_state.coupling.slip,
+                 sliding_distances()))
       follow_contact();
   }
 
@@ -407,6 +410,15 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  std::vector<double>
+  Simulation<dim, n_components>::sliding_distances() const
+  {
+    return StickSlip::sliding_distances(problem.jump_basis(), scene.contact);
+  }
+
+
+
+  template <int dim, int n_components>
   void
   Simulation<dim, n_components>::follow_contact()
   {
@@ -414,21 +426,29 @@ namespace StickSlip
     complete_state();
     SystemState<dim> &current = run_state.system;
     ++run_state.counts.contact_mappings;
+    const double kinetic_energy =
+      energy ? energy->kinetic_energy(current) : 0.;
+    const KeptTractions<dim, n_components> tractions(
+      problem, faults, laws, current, step_size_controller->lumped_mass());
+    const std::vector<double> distances = sliding_distances();
+    MappingPlace<dim>         place{current.slip,
+                            expected_slip(faults,
+                                          current.slip,
+                                          run_state.coupling.slip,
+                                          distances)};
+    const double part_to_end = way_to_end(run_state.coupling, place);
+    run_state.coupling             = std::move(place);
     run_state.coupled_displacement = current.displacement;
-    run_state.coupled_slip         = current.slip;
-    run_state.expected_slip =
-      expected_slip(problem.jump_basis(),
-                    faults,
-                    current.slip_rate,
-                    sliding_distances(problem.jump_basis(), scene.contact));
     const FaultNodes<dim>     before = faults;
     const std::vector<double> background_before =
       background_normal_stress(problem.background_stress(),
                                problem.jump_basis());
     const std::vector<double> distances_before =
       distances_of_gaps(problem, current);
+    const std::vector<Tensor<1, dim - 1>> accelerations_before =
+      slip_accelerations(problem, faults, current);
     problem.build_contact(run_state.coupled_displacement,
-                          run_state.expected_slip);
+                          run_state.coupling.expected_slip);
     // Normals that have turned meet another background stress.
     const std::vector<double> background =
       background_normal_stress(problem.background_stress(),
@@ -437,10 +457,20 @@ namespace StickSlip
       run_state.stress_offset[k] += background[k] - background_before[k];
     prepare();
     note_gaps();
-    change_contact(current, problem, before, faults, distances_before);
+    change_contact(current,
+                   problem,
+                   before,
+                   faults,
+                   distances_before,
+                   accelerations_before);
     current.fault_force.clear();
+    problem.set_partner_force(tractions.force(
+      current,
+      step_size_controller->lumped_mass(),
+      part_to_end,
+      n_intervals(faults, current.slip_rate, distances)));
     if (energy)
-      energy->restart(current);
+      energy->restart(current, kinetic_energy);
   }
 
 

@@ -176,6 +176,8 @@ namespace StickSlip
         add("dissipated by radiation damping", work.radiation);
       if (work.contact != 0.)
         add("taken by contacts", work.contact);
+      if (work.mappings != 0.)
+        add("added by new contact mappings", work.mappings);
       add("missing", defect);
 
       if (const double largest = work.largest(); largest > 0.)

@@ -112,15 +112,18 @@ namespace StickSlip
   {
     account                = EnergyAccount();
     account.initial_energy = kinetic_energy(state) + elastic_energy(state);
-    restart(state);
+    resume(state);
+    set_fault_forces(state, state.slip_rate);
   }
 
 
 
   template <int dim, int n_components>
   void
-  EnergyBalance<dim, n_components>::restart(const SystemState<dim> &state)
+  EnergyBalance<dim, n_components>::restart(const SystemState<dim> &state,
+                                            const double kinetic_energy)
   {
+    account.work.mappings += this->kinetic_energy(state) - kinetic_energy;
     resume(state);
     set_fault_forces(state, state.slip_rate);
   }
@@ -145,6 +148,7 @@ namespace StickSlip
                                         const SystemState<dim> &state,
                                         const NodalVector      &velocity) const
   {
+    moment.time = state.time;
     problem.to_jumps(moment.displacement, state.displacement);
     problem.to_jumps(moment.velocity, velocity);
     if (!problem.has_constant_load())
@@ -216,7 +220,9 @@ namespace StickSlip
       }
 
     EnergyTerms &work = account.work;
-    work.loads += loads_work();
+    const double of_partners = partner_work();
+    work.mappings += of_partners;
+    work.loads += loads_work() - of_partners;
     if (problem.has(SpatialProblem<dim, n_components>::damping))
       work.viscosity += viscous_work(tau, has_mean);
     work.driven_sides += driven_work(tau);
@@ -293,6 +299,21 @@ namespace StickSlip
     if (problem.has_constant_load())
       return constant_load * change;
     return 0.5 * (last->load * change + end->load * change);
+  }
+
+
+
+  template <int dim, int n_components>
+  double
+  EnergyBalance<dim, n_components>::partner_work() const
+  {
+    const PartnerForce &partners = problem.partner_force();
+    if (!partners.is_there())
+      return 0.;
+    NodalVector force = problem.make_vector();
+    for (const Moment *moment : {last.get(), end.get()})
+      partners.add(moment->time, 0.5, force);
+    return force * change;
   }
 
 

@@ -110,10 +110,11 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
-  bool
-  QuasistaticBodies<dim, n_components>::is_steady(const double time) const
+  double
+  QuasistaticBodies<dim, n_components>::steady_from(const double time) const
   {
-    return problem.has_constant_load() && velocities_stay(problem, time);
+    return velocities_stay(problem, time) ? problem.constant_rate_until(time) :
+                                            time;
   }
 
 
@@ -123,7 +124,7 @@ namespace StickSlip
   QuasistaticBodies<dim, n_components>::velocities_of_faults(
     const SystemState<dim> &state) const
   {
-    NodalVector w = are_drives_steady && is_steady(state.time) ?
+    NodalVector w = state.time <= steady_until ?
                       last_drives.second->velocity :
                       known_velocities(problem, state.time);
     set_free_slip(w, state.slip_rate);
@@ -242,18 +243,19 @@ namespace StickSlip
   QuasistaticBodies<dim, n_components>::drive(const double from,
                                               const double tau)
   {
-    if (!is_steady(from))
+    if (from + tau <= steady_until)
+      return last_drives;
+    const NodalVector rate  = load_rate(from + tau, tau);
+    const auto        start = make_drive(from, rate);
+    if (const double until = steady_from(from); tau > 0. && from + tau <= until)
       {
-        const NodalVector rate  = load_rate(from + tau, tau);
-        const auto        start = make_drive(from, rate);
-        last_drives             = {start, make_drive(from + tau, rate)};
-        are_drives_steady       = false;
+        last_drives  = {start, start};
+        steady_until = until;
       }
-    else if (!are_drives_steady)
+    else
       {
-        const auto both   = make_drive(from, problem.make_vector());
-        last_drives       = {both, both};
-        are_drives_steady = true;
+        last_drives  = {start, make_drive(from + tau, rate)};
+        steady_until = std::numeric_limits<double>::lowest();
       }
     return last_drives;
   }
@@ -265,8 +267,8 @@ namespace StickSlip
   QuasistaticBodies<dim, n_components>::load_rate(const double time,
                                                   const double tau) const
   {
-    if (problem.has_constant_load())
-      return problem.make_vector();
+    if (time <= problem.constant_rate_until(time - tau))
+      return problem.load_rate(time - tau);
     NodalVector result = problem.load(time);
     result -= problem.load(time - tau);
     if (tau > 0.)

@@ -24,6 +24,8 @@ namespace StickSlip
     /** Energy that is dissipated, positive, and that contacts take which come
      * together or break. */
     double friction = 0, viscosity = 0, radiation = 0, contact = 0;
+    /** Energy that new contact mappings add. */
+    double mappings = 0;
     /** Change of kinetic and elastic energy that all of these do not explain.
      */
     double missing = 0;

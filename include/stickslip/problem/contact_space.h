@@ -81,6 +81,11 @@ namespace StickSlip
     NodalVector
     to_dual(const NodalVector &f) const;
 
+    /** The nodal forces of a dual vector of the jump basis: the inverse of
+     * to_dual(). Collective. */
+    NodalVector
+    to_nodal_forces(const NodalVector &dual) const;
+
     /** Set what is known of a vector of the jump basis, m/s: zero normal jumps
      * at nodes that cannot open, and the slip rates that are prescribed at
      * @p time. */

@@ -9,6 +9,7 @@
 #include <stickslip/mechanics/material_fields.h>
 #include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/problem/contact_space.h>
+#include <stickslip/problem/partner_force.h>
 
 #include <algorithm>
 #include <memory>
@@ -23,8 +24,8 @@ namespace StickSlip
    *
    * in the jump basis B of a contact space: mass, damping and stiffness, the
    * load f of gravity and tractions, that of a background stress on the faults
-   * which has no part in the bodies, boundary values, and the level hierarchy
-   * of a combination of the terms. M is there only if inertia is asked for, C
+   * which has no part in the bodies, a PartnerForce, boundary values, and the
+   * level hierarchy of a combination of the terms. M is there only if inertia is asked for, C
    * only if a body is viscous.
    */
   template <int dim, int n_components = dim>
@@ -114,7 +115,27 @@ namespace StickSlip
     bool
     has_constant_load() const
     {
-      return !boundary.has_tractions();
+      return !boundary.has_tractions() && !partners.is_there();
+    }
+
+    /** The time, s, until which the load changes at the rate that it has at
+     * @p time; @p time itself where that is not known. */
+    double
+    constant_rate_until(const double time) const;
+
+    /** That rate where it is known, N/s. */
+    NodalVector
+    load_rate(const double time) const;
+
+    /** Let a force be part of the load, as long as the contact mapping is this
+     * one. */
+    void
+    set_partner_force(PartnerForce force);
+
+    const PartnerForce &
+    partner_force() const
+    {
+      return partners;
     }
 
     BoundaryValues<dim, n_components> &
@@ -141,6 +162,7 @@ namespace StickSlip
     clear_operator()
     {
       constant_load.reset();
+      partners = PartnerForce();
       levels.reset();
       operator_sum.reset();
     }
@@ -163,6 +185,10 @@ namespace StickSlip
                   std::vector<LevelDescription<n_components>> descriptions);
 
   private:
+    /** The load without the PartnerForce. */
+    NodalVector
+    external_load(const double time);
+
     /** The matrix of a term; none where there is no such term. */
     static TermMatrix<n_components> &
     matrix_of(ElasticMatrices<n_components> &matrices, const Term term);
@@ -190,8 +216,9 @@ namespace StickSlip
     /** Empty without gravity. */
     NodalVector gravity_load;
     /** In the jump basis, empty without a background stress. */
-    NodalVector fault_load;
-    /** The load where it does not depend on the time, once somebody has asked
+    NodalVector  fault_load;
+    PartnerForce partners;
+    /** What is constant of the load if tractions are, once somebody has asked
      * for it with this contact mapping. */
     std::unique_ptr<const NodalVector> constant_load;
 

@@ -28,14 +28,56 @@ namespace StickSlip
            const std::vector<Tensor<1, dim - 1>> &since,
            const std::vector<double>             &distances);
 
-  /** The slip of each node until one of them has slid by its distance if slip
-   * rates stay as they are, m; empty where no fault bends. */
+  /** The number of intervals between contact mappings, as long as the
+   * @p distances say, in a slip, m, or in a second of a slip rate, m/s. */
+  template <int dim>
+  double
+  n_intervals(const FaultNodes<dim>                 &faults,
+              const std::vector<Tensor<1, dim - 1>> &slip,
+              const std::vector<double>             &distances);
+
+  /** The slip of each node until the next contact mapping, m, if it goes on as
+   * @p since the last one. */
   template <int dim>
   std::vector<Tensor<1, dim - 1>>
-  expected_slip(const JumpBasis<dim>                  &basis,
-                const FaultNodes<dim>                 &faults,
-                const std::vector<Tensor<1, dim - 1>> &slip_rate,
+  expected_slip(const FaultNodes<dim>                 &faults,
+                const std::vector<Tensor<1, dim - 1>> &slip,
+                const std::vector<Tensor<1, dim - 1>> &since,
                 const std::vector<double>             &distances);
+
+  /** Slip accelerations with the present contact mapping, m/s^2; empty without
+   * inertia. Collective. */
+  template <int dim, int n_components = dim>
+  std::vector<Tensor<1, dim - 1>>
+  slip_accelerations(const ContactSpace<dim, n_components> &space,
+                     const FaultNodes<dim>                 &faults,
+                     const SystemState<dim>                &state);
+
+  /**
+   * What a contact mapping was made for, m, at each slave node: the slip at that
+   * time, and the slip that was expected until the next mapping, empty for none.
+   * Partners are those half way.
+   */
+  template <int dim>
+  struct MappingPlace
+  {
+    std::vector<Tensor<1, dim - 1>> slip, expected_slip;
+
+    /** Members to or from a boost archive. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &slip &expected_slip;
+    }
+  };
+
+  /** The way from the place of a mapping, which is half way, to the end of its
+   * interval, over the way from the place of the mapping before: the factor
+   * that fits all nodes best, from -1 to 1. */
+  template <int dim>
+  double
+  way_to_end(const MappingPlace<dim> &before, const MappingPlace<dim> &now);
 
   /** The normal stress of the background stress at all slave nodes along their
    * normals, Pa; empty where there is none, or no fault bends. */
@@ -66,9 +108,9 @@ namespace StickSlip
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
-   * @p now. Where sides touch, slip rates belong to the nodes of the fault and
-   * stay, along axes that may have turned; the velocity of the slave side
-   * follows from them and from the new partners. Where they are apart,
+   * @p now. Where sides touch, slip rates, and slip_accelerations() before that,
+   * belong to the nodes of the fault and stay, along axes that may have turned;
+   * those of the slave side follow from them and from the new partners. Where they are apart,
    * velocities stay, and with them their energy. Nodes that come into contact
    * get the jump of the velocities as they are, and the gap of their nearest
    * neighbour. Sides that touch keep doing so; gaps of others change by as much
@@ -81,7 +123,8 @@ namespace StickSlip
                  const ContactSpace<dim, n_components> &space,
                  const FaultNodes<dim>                 &before,
                  const FaultNodes<dim>                 &now,
-                 const std::vector<double>             &distances_before = {});
+                 const std::vector<double>             &distances_before,
+                 std::vector<Tensor<1, dim - 1>>        slip_acceleration);
 } // namespace StickSlip
 
 #endif

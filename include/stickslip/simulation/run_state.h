@@ -11,7 +11,9 @@
 #include <stickslip/output/opening_catalogue.h>
 #include <stickslip/output/output_cadence.h>
 #include <stickslip/output/pvd_record.h>
+#include <stickslip/problem/partner_force.h>
 #include <stickslip/problem/system_state.h>
+#include <stickslip/simulation/contact_change.h>
 #include <stickslip/time/energy_balance.h>
 #include <stickslip/time/step_memory.h>
 
@@ -104,13 +106,10 @@ namespace StickSlip
     /** The state reached. */
     SystemState<dim> system;
 
-    /** Displacement and slip with which the faults were coupled last, m. */
-    NodalVector                     coupled_displacement;
-    std::vector<Tensor<1, dim - 1>> coupled_slip;
-
-    /** Slip of each node that was expected from then on, m, see
-     * SecantCoupling; empty where no fault bends. */
-    std::vector<Tensor<1, dim - 1>> expected_slip;
+    /** Displacement with which the faults were coupled last, m, and the place
+     * of that contact mapping. */
+    NodalVector       coupled_displacement;
+    MappingPlace<dim> coupling;
 
     /** Largest gap of each fault at any coupling, m; NaN where it is plane. */
     std::vector<double> largest_gaps;
@@ -122,6 +121,9 @@ namespace StickSlip
     /** Shear stress at each slave node that the bodies do not carry, Pa, see
      * SpatialProblem::set_prestress(); empty where there is none. */
     std::vector<Tensor<1, dim - 1>> prestress;
+
+    /** The force since the last contact mapping; empty before the second. */
+    PartnerForce partner_force;
 
     StepMemory<dim> steps;
     EnergyAccount   energy;
@@ -147,6 +149,7 @@ namespace StickSlip
     {
       SystemState<dim>::for_each_vector(state.system, action);
       action(state.coupled_displacement);
+      PartnerForce::for_each_vector(state.partner_force, action);
       StepMemory<dim>::for_each_vector(state.steps, action);
     }
 
@@ -156,8 +159,8 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &system &coupled_slip &expected_slip &largest_gaps &stress_offset
-        &prestress &steps &energy &counts &record &recorded_faults &restarts;
+      archive &system &coupling &largest_gaps &stress_offset
+        &prestress &partner_force &steps &energy &counts &record &recorded_faults &restarts;
     }
   };
 } // namespace StickSlip

@@ -139,6 +139,10 @@ namespace StickSlip
     void
     complete_step(StepResult<dim> &step);
 
+    /** sliding_distances() of this scene. */
+    std::vector<double>
+    sliding_distances() const;
+
     /** Couple the faults anew if a node has slid too far since the last time.
      */
     void

@@ -30,12 +30,16 @@ namespace StickSlip
     double viscosity = 0, friction = 0, radiation = 0;
     /** Taken by sides that come together and by bonds that break, positive. */
     double contact = 0;
+    /** Added by new contact mappings: velocities that change there, and
+     * work of the PartnerForce. */
+    double mappings = 0;
 
     /** Sum of all, as it adds to the kinetic and elastic energy. */
     double
     gain() const
     {
-      return loads + driven_sides - viscosity - friction - radiation - contact;
+      return loads + driven_sides + mappings - viscosity - friction -
+             radiation - contact;
     }
 
     /** The largest of all, without its sign. */
@@ -55,7 +59,8 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &loads &driven_sides &viscosity &friction &radiation &contact;
+      archive &loads &driven_sides &viscosity &friction &radiation &contact
+        &mappings;
     }
   };
 
@@ -102,7 +107,7 @@ namespace StickSlip
    * as kinetic energy, the product of the velocities half a step before and
    * after, where the step was of size tau. Friction is taken from the law at
    * the state and slip rate that are written, so that what is missing is what
-   * iterations leave of the step, and what new contact mappings add or take.
+   * iterations leave of the step.
    */
   template <int dim, int n_components = dim>
   class EnergyBalance
@@ -120,11 +125,10 @@ namespace StickSlip
     void
     start(const SystemState<dim> &state);
 
-    /** Go on from the last state taken in after the contact mapping and, maybe,
-     * velocities have changed, to those of @p state; the energy that this adds
-     * or takes goes into the defect. */
+    /** Go on with a new contact mapping and the velocities of @p state; @p
+     * kinetic_energy: before that, J. */
     void
-    restart(const SystemState<dim> &state);
+    restart(const SystemState<dim> &state, const double kinetic_energy);
 
     /** Go on from the last state taken in, which is @p state. */
     void
@@ -176,6 +180,7 @@ namespace StickSlip
     /** One time of the run, in the jump basis. */
     struct Moment
     {
+      double      time = 0.;
       NodalVector displacement, velocity;
       /** The velocity half a step before; empty but with central differences.
        */
@@ -211,9 +216,13 @@ namespace StickSlip
     /** Work of the loads in the change of the displacement, and what viscosity
      * dissipates, J, between last and end, a time @p tau from each other.
      * @p has_mean: if the change is not that of the mean of both velocities.
-     * Collective, as the next two. */
+     * Collective, as the next three. */
     double
     loads_work() const;
+
+    /** The part of loads_work() that the PartnerForce does. */
+    double
+    partner_work() const;
 
     double
     viscous_work(const double tau, const bool has_mean) const;

@@ -11,6 +11,7 @@
 #include <stickslip/problem/spatial_problem.h>
 #include <stickslip/problem/system_state.h>
 
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -151,9 +152,10 @@ namespace StickSlip
     void
     prepare();
 
-    /** True if nothing that is prescribed changes from @p time on. */
-    bool
-    is_steady(const double time) const;
+    /** The time until which what is prescribed goes on as at @p time; @p time
+     * itself if that is not known. */
+    double
+    steady_from(const double time) const;
 
     /** The change of the load over the step that has led to @p time, over its
      * size; zero at the start. */
@@ -211,11 +213,11 @@ namespace StickSlip
     std::vector<double> pressures_of_slip;
     /** Of the functionals of body_values(). */
     std::vector<Influence> influences;
-    /** The drives at both ends of the last step, and whether they are those of
-     * all times from then on. */
+    /** The drives at both ends of the last step, and the time until which they
+     * stay as they are. */
     std::pair<std::shared_ptr<const Drive>, std::shared_ptr<const Drive>>
-         last_drives;
-    bool are_drives_steady = false;
+           last_drives;
+    double steady_until = std::numeric_limits<double>::lowest();
   };
 } // namespace StickSlip
 
