@@ -128,6 +128,10 @@ end
     return most_energy * std::pow(std::sin(k * slip / 2.), 2);
   }
 
+  /** What the pressure changes by in a step of 1/512 of a wave, over
+   * most_pressure. */
+  constexpr double most_pressure_step = k / 2. / 512.;
+
   /** The derivative of the energy, N: the force that slides the upper body. */
   constexpr double most_drag = most_energy * k / 2.;
 
@@ -144,9 +148,9 @@ end
   struct Departures
   {
     double pressure = 0, roughness = 0, pressure_step = 0, gap = 0, energy = 0,
-           work = 0, drag = 0;
-    /** Energy that is missing after each wave. */
-    std::vector<double> missing;
+           work = 0, missing = 0, drag = 0;
+    /** Energy that contact mappings have added after each wave. */
+    std::vector<double> added;
     /** The sine in the pressure after each step. */
     std::vector<std::complex<double>> waves;
   };
@@ -201,12 +205,12 @@ end
              (energy.elastic_energy(simulation.state()) -
               expected_energy(slip)) /
                most_energy);
-        const double missing = (energy.defect(simulation.state()) +
-                                energy.work().mappings) /
-                               most_energy;
+        const double added = energy.work().mappings / most_energy;
         note(worst.work,
-             energy.work().driven_sides / most_energy + missing -
-               expected_energy(slip) / most_energy);
+             (energy.work().driven_sides - expected_energy(slip)) /
+                 most_energy +
+               added);
+        note(worst.missing, energy.defect(simulation.state()) / most_energy);
         // Waves that run to and fro between the driven side and the fault are
         // in the force on that side as well.
         if (const double work = energy.work().driven_sides; !has_inertia)
@@ -218,8 +222,8 @@ end
             work_before = work;
             slip_before = slip;
           }
-        if (simulation.state().time > worst.missing.size() + 1. - 1e-9)
-          worst.missing.push_back(missing);
+        if (simulation.state().time > worst.added.size() + 1. - 1e-9)
+          worst.added.push_back(added);
       }
     return worst;
   }
@@ -230,27 +234,29 @@ end
 TEST(SlidingOverASine, HasThePressureAndTheEnergyOfHalfSpaces)
 {
   const Departures worst = slide({"Time/End time=2"});
-  // Partners lag or lead by an eighth of a face, k h/16 of the phase.
-  EXPECT_LT(worst.pressure, 0.02);
+  // Partners that are kept, or do not go on between mappings, lag or lead by an
+  // eighth of a face: 0.016 of the pressure and 0.06 of the drag.
+  EXPECT_LT(worst.pressure, 0.007);
   EXPECT_LT(worst.roughness, 0.03);
-  EXPECT_LT(worst.pressure_step, 0.04);
-  EXPECT_LT(worst.gap, 3e-3);
-  EXPECT_LT(worst.energy, 0.015);
-  EXPECT_LT(worst.work, 0.015);
-  EXPECT_LT(worst.drag, 0.07);
-  // A new mapping is a jump of the partners by a quarter of a face.
-  ASSERT_EQ(worst.missing.size(), 2u);
-  EXPECT_LT(std::abs(worst.missing[0]), 0.06);
+  EXPECT_LT(worst.pressure_step, 1.3 * most_pressure_step);
+  EXPECT_LT(worst.gap, 1.5e-3);
+  EXPECT_LT(worst.energy, 0.01);
+  EXPECT_LT(worst.work, 0.01);
+  EXPECT_LT(worst.drag, 0.02);
+  EXPECT_LT(worst.missing, 1e-8);
+  ASSERT_EQ(worst.added.size(), 2u);
+  EXPECT_LT(std::abs(worst.added[0]), 3e-3);
   // The second wave repeats the first.
-  EXPECT_NEAR(worst.missing[1], 2. * worst.missing[0], 1e-3);
+  EXPECT_NEAR(worst.added[1], 2. * worst.added[0], 1e-3);
   const unsigned int n = worst.waves.size() / 2;
   for (unsigned int i = 0; i < n; ++i)
     EXPECT_LT(std::abs(worst.waves[n + i] - worst.waves[i]),
               2e-2 * most_pressure);
   std::cout << "pressure " << worst.pressure << ", roughness "
             << worst.roughness << ", step " << worst.pressure_step << ", gap "
-            << worst.gap << ", energy " << worst.energy << ", drag "
-            << worst.drag << ", missing " << worst.missing[0] << '\n';
+            << worst.gap << ", energy " << worst.energy << ", work "
+            << worst.work << ", drag " << worst.drag << ", added "
+            << worst.added[0] << ", missing " << worst.missing << '\n';
 }
 
 
@@ -263,12 +269,12 @@ TEST(SlidingOverASine, WithInertiaLosesLittleEnergy)
                                   "Contact/Rebuild fraction=0.0625"});
   std::cout << "pressure " << worst.pressure << ", roughness "
             << worst.roughness << ", step " << worst.pressure_step << ", gap "
-            << worst.gap << ", energy " << worst.energy << ", missing "
-            << worst.missing[0] << '\n';
-  EXPECT_LT(worst.pressure, 0.015);
-  EXPECT_LT(worst.pressure_step, 0.02);
+            << worst.gap << ", energy " << worst.energy << ", added "
+            << worst.added[0] << ", missing " << worst.missing << '\n';
+  EXPECT_LT(worst.pressure, 0.009);
+  EXPECT_LT(worst.pressure_step, 0.015);
   EXPECT_LT(worst.gap, 1.5e-3);
-  EXPECT_LT(std::abs(worst.missing[0]), 0.01);
+  EXPECT_LT(std::abs(worst.added[0]), 0.01);
 }
 
 
@@ -278,6 +284,25 @@ TEST(SlidingOverASine, LosesLessTheShorterTheIntervals)
   const Departures quarter = slide({});
   const Departures eighth  = slide({"Contact/Rebuild fraction=0.125"});
   EXPECT_LT(eighth.gap, 0.6 * quarter.gap);
-  EXPECT_LT(eighth.pressure_step, 0.6 * quarter.pressure_step);
-  EXPECT_LT(eighth.missing[0] / quarter.missing[0], 0.65);
+  EXPECT_LT(eighth.pressure, 0.6 * quarter.pressure);
+  EXPECT_LT(eighth.added[0] / quarter.added[0], 0.7);
+}
+TEST(Temporary, Table)
+{
+  for (const std::string fraction : {"0.25", "0.0625"})
+    for (const std::vector<std::string> inertia :
+         {std::vector<std::string>{},
+          {"Time/Inertia=dynamic", "Time/Largest step=0.00048828125"},
+          {"Time/Inertia=dynamic", "Time/Largest step=0.000244140625"}})
+      {
+        std::vector<std::string> all = inertia;
+        all.push_back("Contact/Rebuild fraction=" + fraction);
+        const Departures worst = slide(all);
+        std::cout << "TABLE " << fraction << ' ' << inertia.size()
+                  << " pressure " << worst.pressure << ", roughness "
+                  << worst.roughness << ", step " << worst.pressure_step
+                  << ", gap " << worst.gap << ", energy " << worst.energy
+                  << ", drag " << worst.drag << ", added " << worst.added[0]
+                  << ", missing " << worst.missing << std::endl;
+      }
 }

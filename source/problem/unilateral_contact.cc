@@ -109,6 +109,18 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  UnilateralContact<dim>::has_landed(const SystemState<dim> &state,
+                                     const unsigned int      k) const
+  {
+    const double since = state.touching_since[k];
+    return may_open(k) && state.gap[k] == 0. && since > 0. &&
+           since > state.time - state.last_step - time_resolution(state.time);
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   UnilateralContact<dim>::contact_pressure(const SystemState<dim>    &from,
                                            const std::vector<double> &reaction,

@@ -190,7 +190,7 @@ namespace StickSlip
     for (unsigned int k = 0; k < now.slip.size(); ++k)
       {
         const Tensor<1, dim - 1> half_way = 0.5 * now.expected_slip[k];
-        Tensor<1, dim - 1> way = now.slip[k] + half_way - before.slip[k];
+        Tensor<1, dim - 1>       way = now.slip[k] + half_way - before.slip[k];
         if (!before.expected_slip.empty())
           way -= 0.5 * before.expected_slip[k];
         along += half_way * way;
@@ -332,9 +332,10 @@ namespace StickSlip
     // Forces are those of the state as it is now.
     state.force.reinit(0);
     // Tractions of nodes off contact mean nothing any more.
-    for (unsigned int k = 0; k < state.balancing_traction.size(); ++k)
-      if (!now.in_contact(k))
-        state.balancing_traction[k] = Tensor<1, dim - 1>();
+    for (auto *tractions : {&state.balancing_traction, &state.mean_traction})
+      for (unsigned int k = 0; k < tractions->size(); ++k)
+        if (!now.in_contact(k))
+          (*tractions)[k] = Tensor<1, dim - 1>();
   }
 
 

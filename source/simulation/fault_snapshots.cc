@@ -55,7 +55,7 @@ namespace StickSlip
                 snapshot.is_bonded.push_back(state.is_bonded[k]);
               }
             snapshot.shear_traction.push_back(
-              sign * shear_traction(nodes, laws, state, k));
+              sign * written_traction(nodes, laws, state, k));
           }
       }
     return snapshots;

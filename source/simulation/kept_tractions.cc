@@ -66,7 +66,7 @@ namespace StickSlip
                      const unsigned int      k)
     {
       Tensor<1, n_components>  result;
-      const Tensor<1, dim - 1> shear = shear_traction(faults, laws, state, k);
+      const Tensor<1, dim - 1> shear = written_traction(faults, laws, state, k);
       for (unsigned int d = 0; d < dim - 1; ++d)
         result[d] = shear[d];
       if constexpr (n_components == dim)

@@ -15,8 +15,8 @@
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/initial_balance.h>
 #include <stickslip/simulation/initial_motion.h>
-#include <stickslip/simulation/kept_tractions.h>
 #include <stickslip/simulation/initial_state.h>
+#include <stickslip/simulation/kept_tractions.h>
 #include <stickslip/simulation/node_laws.h>
 #include <stickslip/simulation/node_openings.h>
 #include <stickslip/simulation/restraint.h>
@@ -328,10 +328,8 @@ namespace StickSlip
       accept(std::move(step));
     // Slip out of the plane moves no node along the fault.
     if (scene.contact.follow_slip && n_components == dim &&
-        has_slid(faults,
-                 state().slip,
-                 run_state.coupling.slip,
-                 sliding_distances()))
+        has_slid(
+          faults, state().slip, run_state.coupling.slip, sliding_distances()))
       follow_contact();
   }
 
@@ -426,19 +424,16 @@ namespace StickSlip
     complete_state();
     SystemState<dim> &current = run_state.system;
     ++run_state.counts.contact_mappings;
-    const double kinetic_energy =
-      energy ? energy->kinetic_energy(current) : 0.;
+    const double kinetic_energy = energy ? energy->kinetic_energy(current) : 0.;
     const KeptTractions<dim, n_components> tractions(
       problem, faults, laws, current, step_size_controller->lumped_mass());
     const std::vector<double> distances = sliding_distances();
-    MappingPlace<dim>         place{current.slip,
-                            expected_slip(faults,
-                                          current.slip,
-                                          run_state.coupling.slip,
-                                          distances)};
-    const double part_to_end = way_to_end(run_state.coupling, place);
-    run_state.coupling             = std::move(place);
-    run_state.coupled_displacement = current.displacement;
+    MappingPlace<dim>         place{
+      current.slip,
+      expected_slip(faults, current.slip, run_state.coupling.slip, distances)};
+    const double part_to_end         = way_to_end(run_state.coupling, place);
+    run_state.coupling               = std::move(place);
+    run_state.coupled_displacement   = current.displacement;
     const FaultNodes<dim>     before = faults;
     const std::vector<double> background_before =
       background_normal_stress(problem.background_stress(),
@@ -457,18 +452,14 @@ namespace StickSlip
       run_state.stress_offset[k] += background[k] - background_before[k];
     prepare();
     note_gaps();
-    change_contact(current,
-                   problem,
-                   before,
-                   faults,
-                   distances_before,
-                   accelerations_before);
+    change_contact(
+      current, problem, before, faults, distances_before, accelerations_before);
     current.fault_force.clear();
-    problem.set_partner_force(tractions.force(
-      current,
-      step_size_controller->lumped_mass(),
-      part_to_end,
-      n_intervals(faults, current.slip_rate, distances)));
+    problem.set_partner_force(
+      tractions.force(current,
+                      step_size_controller->lumped_mass(),
+                      part_to_end,
+                      n_intervals(faults, current.slip_rate, distances)));
     if (energy)
       energy->restart(current, kinetic_energy);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace StickSlip
 {
@@ -48,6 +49,15 @@ namespace StickSlip
       return error.part_of(this->parameters.tolerance,
                            this->parameters.body_tolerance);
     };
+    // What a step leaves of waves grows with the square of its size.
+    const double blind_step =
+      history.may_open() ?
+        std::sqrt(this->parameters.body_tolerance) * history.wave_time() :
+        std::numeric_limits<double>::max();
+    const double largest =
+      history.sees_bodies() ?
+        memory.proposed :
+        this->on_grid(std::min(memory.proposed, blind_step));
     // Time until sides come together, s; zero where no step is to end there.
     double contact = 0.;
     while (true)
@@ -55,7 +65,8 @@ namespace StickSlip
         const double tau =
           this->limit(memory,
                       state.time,
-                      contact > 0. ? contact : memory.proposed);
+                      contact > 0. ? contact :
+                                     std::min(memory.proposed, largest));
         StepResult<dim> result = attempt(memory, history, state, tau);
         double          factor = 0.5;
         std::string     reason = result.failure;
@@ -65,7 +76,8 @@ namespace StickSlip
             memory.last_error  = history.estimate_error(now);
             const double part  = part_of_allowed(memory.last_error);
             factor             = growth(part, memory.just_rejected);
-            if (part <= 1.)
+            const bool lands   = !result.slip_rate_before_impacts.empty();
+            if (part <= 1. && (contact > 0. || !lands || tau <= blind_step))
               {
                 memory.largest_error =
                   memory.largest_error.larger(memory.last_error);

@@ -219,7 +219,7 @@ namespace StickSlip
           du[i] = tau * (0.5 * v_last[i] + 0.5 * v_end[i]);
       }
 
-    EnergyTerms &work = account.work;
+    EnergyTerms &work        = account.work;
     const double of_partners = partner_work();
     work.mappings += of_partners;
     work.loads += loads_work() - of_partners;

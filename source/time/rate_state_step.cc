@@ -446,11 +446,12 @@ namespace StickSlip
   {
     if (unilateral.is_needed())
       for (unsigned int k = 0; k < pressure.size(); ++k)
-        if (std::getenv("NOIMP") && problem.has(problem.mass) && unilateral.may_open(k) && touching[k] && from.gap[k] > 0.)
+        // The impulse that a node lands with is no pressure that rubs.
+        if (time_parameters.inertia == Inertia::dynamic && touching[k] &&
+            from.gap[k] > 0.)
           pressure[k] = from.contact_pressure[k];
-        else if (std::getenv("NOIMP") && problem.has(problem.mass) && unilateral.may_open(k) && touching[k] && from.touching_since[k] > from.time - from.last_step * (1. + 1e-6))
-          ;
-        else if (!unilateral.may_open(k) || (touching[k] && from.gap[k] == 0.))
+        else if (!unilateral.may_open(k) || (touching[k] && from.gap[k] == 0. &&
+                                             !unilateral.has_landed(from, k)))
           pressure[k] = time_scheme->end_pressure(pressure[k],
                                                   from.contact_pressure[k],
                                                   tau,
@@ -542,7 +543,16 @@ namespace StickSlip
     NodalVector            &w,
     const ContactOfStep    &contact)
   {
-    SystemState<dim>         &to            = result.state;
+    SystemState<dim> &to = result.state;
+    if (time_parameters.inertia == Inertia::dynamic)
+      {
+        to.mean_traction.resize(fault_nodes.size());
+        for (unsigned int k = 0; k < fault_nodes.size(); ++k)
+          if (!unilateral.may_open(k) || contact.touching[k])
+            to.mean_traction[k] =
+              0.5 * (shear_traction(fault_nodes, node_laws, from, k) +
+                     shear_traction(fault_nodes, node_laws, to, k));
+      }
     const std::vector<double> opening_rates = fault_nodes.opening_jumps(w);
     std::vector<bool>         touching      = contact.touching;
     unilateral.add_landed(touching, from, to.time, opening_rates, contact.path);

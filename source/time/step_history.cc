@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/local_products.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/faults/fault_norm.h>
 #include <stickslip/problem/shear_traction.h>
@@ -14,6 +15,23 @@
 
 namespace StickSlip
 {
+  template <int dim, int n_components>
+  double
+  StepHistory<dim, n_components>::wave_time() const
+  {
+    double least = std::numeric_limits<double>::max();
+    if (nodal_masses != nullptr)
+      for (const unsigned int k : faults.owned_contact())
+        if (laws[k].shear_impedance > 0.)
+          least = std::min(least,
+                           (*nodal_masses)[faults.node(k)] /
+                             (faults.weights()[k] * laws[k].shear_impedance));
+    return Utilities::MPI::min(least,
+                               records[0].velocity.get_mpi_communicator());
+  }
+
+
+
   template <int dim, int n_components>
   PastState<dim>
   StepHistory<dim, n_components>::record(const SystemState<dim> &state,
@@ -226,17 +244,38 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  bool
+  StepHistory<dim, n_components>::touches_as_before(
+    const PastState<dim> &now) const
+  {
+    return std::all_of(records.begin(), records.end(), [&](const auto &record) {
+      return record.is_open == now.is_open;
+    });
+  }
+
+
+
+  template <int dim, int n_components>
   double
   StepHistory<dim, n_components>::body_error(const PastState<dim> &now,
                                              const Extrapolation  &past) const
   {
-    double        squares = 0., sizes = 0.;
+    const bool is_free =
+      !now.is_open.empty() &&
+      std::none_of(now.in_contact.begin(),
+                   now.in_contact.end(),
+                   [](const bool touches) { return touches; });
+    const double strength = is_free ? 0. : velocity_scale(now);
+    if (strength == std::numeric_limits<double>::max())
+      return 0.;
+    // Sums of m e^2, m |e|, m |v| and m.
+    std::array<double, 4> of_nodes{};
     const double *v = now.velocity.begin(), *v0 = records[0].velocity.begin(),
                  *v1 = records[1].velocity.begin(),
                  *v2 = records[2].velocity.begin();
     for (unsigned int node = 0; node < nodal_masses->size(); ++node)
       {
-        double square = 0.;
+        double square = 0., speed = 0.;
         for (unsigned int i = node * n_components;
              i < (node + 1) * n_components;
              ++i)
@@ -244,14 +283,19 @@ namespace StickSlip
             const double e = v[i] - past.newest * v0[i] - past.older * v1[i] -
                              past.oldest * v2[i];
             square += e * e;
+            speed += v[i] * v[i];
           }
-        squares += (*nodal_masses)[node] * square;
-        sizes += (*nodal_masses)[node] * std::sqrt(square);
+        const double mass = (*nodal_masses)[node];
+        of_nodes[0] += mass * square;
+        of_nodes[1] += mass * std::sqrt(square);
+        of_nodes[2] += mass * std::sqrt(speed);
+        of_nodes[3] += mass;
       }
-    const MPI_Comm communicator = now.velocity.get_mpi_communicator();
-    squares                     = Utilities::MPI::sum(squares, communicator);
-    sizes                       = Utilities::MPI::sum(sizes, communicator);
-    return sizes > 0. ? past.part * squares / sizes / velocity_scale(now) : 0.;
+    const auto [squares, errors, speeds, masses] =
+      sums<4>(of_nodes, now.velocity.get_mpi_communicator());
+    return errors > 0. ? past.part * squares / errors /
+                           (is_free ? speeds / masses : strength) :
+                         0.;
   }
 
 
@@ -269,8 +313,7 @@ namespace StickSlip
         error.faults =
           std::hypot(error.faults,
                      fault_norm(faults, laws, motion_errors(now, past)));
-        // Velocities jump where sides come together.
-        if (nodal_masses != nullptr && now.is_open.empty())
+        if (nodal_masses != nullptr && touches_as_before(now))
           error.bodies = body_error(now, past);
       }
     // Sums may differ in their last digits from process to process, and steps

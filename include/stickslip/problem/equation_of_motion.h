@@ -25,8 +25,8 @@ namespace StickSlip
    * in the jump basis B of a contact space: mass, damping and stiffness, the
    * load f of gravity and tractions, that of a background stress on the faults
    * which has no part in the bodies, a PartnerForce, boundary values, and the
-   * level hierarchy of a combination of the terms. M is there only if inertia is asked for, C
-   * only if a body is viscous.
+   * level hierarchy of a combination of the terms. M is there only if inertia
+   * is asked for, C only if a body is viscous.
    */
   template <int dim, int n_components = dim>
   class EquationOfMotion

@@ -44,6 +44,22 @@ namespace StickSlip
                  const unsigned int      k);
 
   /**
+   * The shear traction at a slave node as it is written: that over the last
+   * step where there is one (SystemState::mean_traction).
+   */
+  template <int dim>
+  Tensor<1, dim - 1>
+  written_traction(const FaultNodes<dim>  &faults,
+                   const NodeLaws         &laws,
+                   const SystemState<dim> &state,
+                   const unsigned int      k)
+  {
+    return state.mean_traction.empty() ?
+             shear_traction(faults, laws, state, k) :
+             state.mean_traction[k];
+  }
+
+  /**
    * The shear tractions that balance @p forces on all slave nodes, N, Pa, where
    * the law does not tell them; else as below.
    */

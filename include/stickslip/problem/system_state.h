@@ -56,6 +56,11 @@ namespace StickSlip
      * tell it (shear_traction.h), Pa; empty if there are none. */
     std::vector<Tensor<1, dim - 1>> balancing_traction;
 
+    /** Shear traction over the last step, like balancing_traction: the mean of
+     * both its ends, about which they swing at nodes that have stopped at once
+     * (ContactImplicit). Empty for other schemes and at the start. */
+    std::vector<Tensor<1, dim - 1>> mean_traction;
+
     /** Normal stress at each slave node, Pa, compression positive, none
      * negative. */
     std::vector<double> normal_stress;
@@ -100,8 +105,9 @@ namespace StickSlip
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &is_complete &last_step &alpha &slip &slip_rate
-        &mean_slip_rate &balancing_traction &normal_stress &fault_force
-          &contact_pressure &gap &opening_rate &is_bonded &touching_since;
+        &mean_slip_rate &balancing_traction &mean_traction &normal_stress
+          &fault_force &contact_pressure &gap &opening_rate &is_bonded
+            &touching_since;
     }
   };
 

@@ -69,6 +69,10 @@ namespace StickSlip
       return is_needed() && nodes[k].may_open && faults->in_contact(k);
     }
 
+    /** True if the sides of the k-th slave node have met in the last step. */
+    bool
+    has_landed(const SystemState<dim> &state, const unsigned int k) const;
+
     /** Least opening rate at each slave node, m/s: -(g0 + of_start rate0) over
      * of_end. */
     std::vector<double>

@@ -54,9 +54,9 @@ namespace StickSlip
                      const SystemState<dim>                &state);
 
   /**
-   * What a contact mapping was made for, m, at each slave node: the slip at that
-   * time, and the slip that was expected until the next mapping, empty for none.
-   * Partners are those half way.
+   * What a contact mapping was made for, m, at each slave node: the slip at
+   * that time, and the slip that was expected until the next mapping, empty for
+   * none. Partners are those half way.
    */
   template <int dim>
   struct MappingPlace
@@ -108,14 +108,14 @@ namespace StickSlip
 
   /**
    * Carry a state over to a new contact mapping, that of @p space and
-   * @p now. Where sides touch, slip rates, and slip_accelerations() before that,
-   * belong to the nodes of the fault and stay, along axes that may have turned;
-   * those of the slave side follow from them and from the new partners. Where they are apart,
-   * velocities stay, and with them their energy. Nodes that come into contact
-   * get the jump of the velocities as they are, and the gap of their nearest
-   * neighbour. Sides that touch keep doing so; gaps of others change by as much
-   * as their distances_of_gaps() from those with the mapping before.
-   * Collective.
+   * @p now. Where sides touch, slip rates, and slip_accelerations() before
+   * that, belong to the nodes of the fault and stay, along axes that may have
+   * turned; those of the slave side follow from them and from the new partners.
+   * Where they are apart, velocities stay, and with them their energy. Nodes
+   * that come into contact get the jump of the velocities as they are, and the
+   * gap of their nearest neighbour. Sides that touch keep doing so; gaps of
+   * others change by as much as their distances_of_gaps() from those with the
+   * mapping before. Collective.
    */
   template <int dim, int n_components = dim>
   void

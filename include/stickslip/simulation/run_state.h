@@ -159,8 +159,8 @@ namespace StickSlip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &system &coupling &largest_gaps &stress_offset
-        &prestress &partner_force &steps &energy &counts &record &recorded_faults &restarts;
+      archive &system &coupling &largest_gaps &stress_offset &prestress &
+        partner_force &steps &energy &counts &record &recorded_faults &restarts;
     }
   };
 } // namespace StickSlip

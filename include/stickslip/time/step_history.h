@@ -61,6 +61,30 @@ namespace StickSlip
       , records(records)
     {}
 
+    /** The shortest time that shear waves take through half a cell at a fault,
+     * s: what velocities change in at nodes that have been stopped.
+     * Collective. */
+    double
+    wave_time() const;
+
+    /** False if the error of the bodies in the next step will not be told,
+     * since faults may open and have done so, or met, or nothing is known of
+     * before.
+     */
+    bool
+    sees_bodies() const
+    {
+      return !may_open() ||
+             (records.size() >= 3 && touches_as_before(records[0]));
+    }
+
+    /** True if faults of bodies with mass may open. */
+    bool
+    may_open() const
+    {
+      return nodal_masses != nullptr && !records[0].is_open.empty();
+    }
+
     /** The memory of a state after a step of that size. */
     PastState<dim>
     record(const SystemState<dim> &state, const double step_size) const;
@@ -121,6 +145,11 @@ namespace StickSlip
      * normal stress. */
     double
     velocity_scale(const PastState<dim> &now) const;
+
+    /** True if no sides have met or parted since the oldest record: velocities
+     * jump where they do. */
+    bool
+    touches_as_before(const PastState<dim> &now) const;
 
     /** The error of the velocity of the bodies, over velocity_scale(): sum m
      * e^2 / sum m |e| over the nodes, m being their mass. Bodies at rest do not
