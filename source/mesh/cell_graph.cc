@@ -24,14 +24,23 @@ namespace StickSlip
                         &neighbours,
       const unsigned int n_parts)
     {
-      std::vector<idx_t> row_start = {0}, columns, weights;
+      std::vector<idx_t>       row_start = {0}, columns, weights;
+      std::vector<std::size_t> place(n_cells.size(), 0);
       for (const auto &row : neighbours)
         {
+          // Edges between the same nodes are one.
+          const std::size_t begin = columns.size();
           for (const auto &[neighbour, weight] : row)
-            {
-              columns.push_back(neighbour);
-              weights.push_back(weight);
-            }
+            if (std::size_t &k = place[neighbour];
+                k >= begin && k < columns.size() &&
+                columns[k] == idx_t(neighbour))
+              weights[k] += weight;
+            else
+              {
+                k = columns.size();
+                columns.push_back(neighbour);
+                weights.push_back(weight);
+              }
           AssertThrow(columns.size() <= static_cast<std::size_t>(
                                           std::numeric_limits<idx_t>::max()),
                       ExcMessage("The meshes have more cells than this "
@@ -88,18 +97,8 @@ namespace StickSlip
                       const unsigned int b,
                       const unsigned int weight)
   {
-    for (const auto &[from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
-      {
-        auto      &row = neighbours[from];
-        const auto found =
-          std::find_if(row.begin(), row.end(), [&](const auto &edge) {
-            return edge.first == to;
-          });
-        if (found != row.end())
-          found->second += weight;
-        else
-          row.emplace_back(to, weight);
-      }
+    neighbours[a].emplace_back(b, weight);
+    neighbours[b].emplace_back(a, weight);
   }
 
 

@@ -15,7 +15,8 @@ namespace StickSlip
     /** Cells that are so many times as long along all other axes are in lines:
      * from here on neighbours couple as strongly as find_strong_lines() asks
      * for. */
-    constexpr double least_aspect = 2.9;
+    template <int dim>
+    constexpr double least_aspect = (dim == 2 ? 2.9 : 4.1);
 
 
 
@@ -34,7 +35,7 @@ namespace StickSlip
       const unsigned int axis =
         std::min_element(extent.begin(), extent.end()) - extent.begin();
       for (unsigned int d = 0; d < dim; ++d)
-        if (d != axis && extent[d] < least_aspect * extent[axis])
+        if (d != axis && extent[d] < least_aspect<dim> * extent[axis])
           return dim;
       return axis;
     }

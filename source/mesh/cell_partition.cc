@@ -50,7 +50,7 @@ namespace StickSlip
     std::vector<FaultCell<dim>>
     fault_cells(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
                 const std::vector<BodySide>                             &parts,
-                const std::vector<std::vector<unsigned int>>            &groups)
+                const std::vector<unsigned int> &first_cell)
     {
       std::vector<FaultCell<dim>> result;
       for (const BodySide &part : parts)
@@ -59,9 +59,9 @@ namespace StickSlip
           if (cell->at_boundary())
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary() && face->boundary_id() == part.side)
-                result.emplace_back(
-                  face->bounding_box(),
-                  groups[part.body][cell->active_cell_index()]);
+                result.emplace_back(face->bounding_box(),
+                                    first_cell[part.body] +
+                                      cell->active_cell_index());
       return result;
     }
 
@@ -102,66 +102,47 @@ namespace StickSlip
 
 
     /**
-     * The patches of all bodies, counted from one body to the next, and the
-     * pairs of them that are better owned by the same process.
+     * The cells of all bodies, counted from one body to the next, and the pairs
+     * of them that are better owned by the same process.
      */
     template <int dim>
-    class Patches
+    class NeighbouringCells
     {
     public:
-      Patches(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-              const FaultTopology                                     &topology)
+      NeighbouringCells(
+        const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+        const FaultTopology                                     &topology,
+        const std::vector<unsigned int>                         &first_cell)
+        : n_cells(first_cell.back())
       {
-        for (const auto &body : bodies)
+        for (unsigned int i = 0; i < bodies.size(); ++i)
           {
-            const unsigned int first = n_cells.size();
-            numbers.push_back(
-              body->patches().numbers(body->triangulation().n_active_cells()));
-            for (unsigned int &patch : numbers.back())
-              {
-                patch += first;
-                n_cells.resize(
-                  std::max<std::size_t>(n_cells.size(), patch + 1));
-                ++n_cells[patch];
-              }
-            for (const bool only_lines : {false, true})
-              for (const auto &[a, b] : neighbouring_cells(*body, only_lines))
-                (only_lines ? in_lines : within)
-                  .emplace_back(numbers.back()[a], numbers.back()[b]);
+            const unsigned int first = first_cell[i];
+            for (const auto &[a, b] : neighbouring_cells(*bodies[i], false))
+              within.emplace_back(first + a, first + b);
+            for (const auto &[a, b] : neighbouring_cells(*bodies[i], true))
+              in_lines.emplace_back(first + a, first + b);
           }
         for (const Fault &fault : topology.faults())
-          add_pairs_across(fault_cells(bodies, fault.sides[0], numbers),
-                           fault_cells(bodies, fault.sides[1], numbers),
+          add_pairs_across(fault_cells(bodies, fault.sides[0], first_cell),
+                           fault_cells(bodies, fault.sides[1], first_cell),
                            across);
       }
 
-      /** Patches of the cells of each body. */
-      const std::vector<std::vector<unsigned int>> &
-      of_bodies() const
-      {
-        return numbers;
-      }
-
-      /**
-       * The part of each patch. Lines are whole, or in as few pieces as it
-       * takes for parts that are equal enough.
-       */
+      /** The part of each cell. Lines are whole, or in as few pieces as it
+       * takes for parts that are equal enough. */
       std::vector<unsigned int>
       parts(const unsigned int n_parts) const
       {
-        const unsigned int n_all =
-          std::accumulate(n_cells.begin(), n_cells.end(), 0u);
-        const double mean = 1. * n_all / n_parts;
-        for (unsigned int longest = n_all;;)
+        const double mean = 1. * n_cells / n_parts;
+        for (unsigned int longest = n_cells;;)
           {
             const std::vector<unsigned int> result =
               parts_of_pieces(longest, n_parts);
             if (in_lines.empty() || longest == 1)
               return result;
-            std::vector<unsigned int> size(n_parts, 0);
-            for (unsigned int p = 0; p < result.size(); ++p)
-              size[result[p]] += n_cells[p];
-            if (*std::max_element(size.begin(), size.end()) <=
+            const std::vector<unsigned int> sizes = count(result);
+            if (*std::max_element(sizes.begin(), sizes.end()) <=
                 (mean < few_cells ? largest_of_few : largest_of_many) * mean)
               return result;
             longest =
@@ -170,20 +151,27 @@ namespace StickSlip
       }
 
     private:
-      /** The part of each patch, pieces of lines with at most @p longest
-       * patches staying together. */
+      /** The number of times that each number is there. */
+      static std::vector<unsigned int>
+      count(const std::vector<unsigned int> &numbers)
+      {
+        std::vector<unsigned int> result(1 + *std::max_element(numbers.begin(),
+                                                               numbers.end()),
+                                         0);
+        for (const unsigned int number : numbers)
+          ++result[number];
+        return result;
+      }
+
+      /** The part of each cell, pieces of lines with at most @p longest cells
+       * being whole. */
       std::vector<unsigned int>
       parts_of_pieces(const unsigned int longest,
                       const unsigned int n_parts) const
       {
         const std::vector<unsigned int> piece =
-          pieces_of_lines(n_cells.size(), in_lines, longest);
-        std::vector<unsigned int> size(1 + *std::max_element(piece.begin(),
-                                                             piece.end()),
-                                       0);
-        for (unsigned int p = 0; p < piece.size(); ++p)
-          size[piece[p]] += n_cells[p];
-        CellGraph  graph(size);
+          pieces_of_lines(n_cells, in_lines, longest);
+        CellGraph  graph(count(piece));
         const auto add = [&](const std::vector<CellPair> &pairs,
                              const unsigned int           weight) {
           for (const auto &[a, b] : pairs)
@@ -193,16 +181,15 @@ namespace StickSlip
         add(within, within_bodies);
         add(in_lines, along_lines);
         add(across, across_faults);
-        std::vector<unsigned int>       result;
         const std::vector<unsigned int> of_pieces = graph.parts(n_parts);
+        std::vector<unsigned int>       result;
         for (const unsigned int p : piece)
           result.push_back(of_pieces[p]);
         return result;
       }
 
-      std::vector<std::vector<unsigned int>> numbers;
-      std::vector<unsigned int>              n_cells;
-      std::vector<CellPair>                  within, in_lines, across;
+      unsigned int          n_cells;
+      std::vector<CellPair> within, in_lines, across;
     };
   } // namespace
 
@@ -217,15 +204,20 @@ namespace StickSlip
   {
     AssertThrow(n_parts > 0, ExcMessage("There is no process to own cells."));
 
-    const Patches<dim>                     patches(bodies, topology);
-    const std::vector<unsigned int>        owners = patches.parts(n_parts);
+    std::vector<unsigned int> first_cell = {0};
+    for (const auto &body : bodies)
+      first_cell.push_back(first_cell.back() +
+                           body->triangulation().n_active_cells());
+
+    const std::vector<unsigned int> owners =
+      n_parts == 1 ?
+        std::vector<unsigned int>(first_cell.back(), 0) :
+        NeighbouringCells<dim>(bodies, topology, first_cell).parts(n_parts);
+
     std::vector<std::vector<unsigned int>> of_body;
-    for (const auto &of_cells : patches.of_bodies())
-      {
-        of_body.emplace_back();
-        for (const unsigned int patch : of_cells)
-          of_body.back().push_back(owners[patch]);
-      }
+    for (unsigned int i = 0; i < bodies.size(); ++i)
+      of_body.emplace_back(owners.begin() + first_cell[i],
+                           owners.begin() + first_cell[i + 1]);
     return of_body;
   }
 

@@ -7,7 +7,6 @@
 #include <stickslip/mesh/cell_patches.h>
 
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace StickSlip
@@ -87,24 +86,6 @@ namespace StickSlip
         if (order.size() > first.back())
           first.push_back(order.size());
       }
-  }
-
-
-
-  std::vector<unsigned int>
-  CellPatches::numbers(const unsigned int n_cells) const
-  {
-    std::vector<unsigned int> result(n_cells);
-    if (order.empty())
-      std::iota(result.begin(), result.end(), 0);
-    else
-      {
-        AssertDimension(order.size(), n_cells);
-        for (unsigned int p = 0; p + 1 < first.size(); ++p)
-          for (unsigned int k = first[p]; k < first[p + 1]; ++k)
-            result[order[k]] = p;
-      }
-    return result;
   }
 
 

@@ -47,11 +47,6 @@ namespace StickSlip
       return order.empty();
     }
 
-    /** The patch of each of the @p n_cells cells, numbered in the order of
-     * their first cells. */
-    std::vector<unsigned int>
-    numbers(const unsigned int n_cells) const;
-
     /** Call @p visit(cells) on the active cells of each patch, all of them
      * cells of @p cells, such as a DoFHandler has. */
     template <typename Cells, typename Visitor>

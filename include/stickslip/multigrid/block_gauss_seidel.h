@@ -103,6 +103,13 @@ namespace StickSlip
                          const NodeValues<Number> &change,
                          const NodeValues<Number> &b) const;
 
+    /** r = b - A x in some rows, with the ghosts that x has; with patches. */
+    void
+    residual_in_rows(const std::vector<unsigned int> &rows,
+                     NodeValues<Number>              &r,
+                     const NodeValues<Number>        &x,
+                     const NodeValues<Number>        &b) const;
+
     /** A backward sweep; fetches the ghosts of x. */
     void
     sweep_backward(NodeValues<Number> &x, const NodeValues<Number> &b) const;
