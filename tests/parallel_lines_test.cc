@@ -120,7 +120,7 @@ TEST(ParallelLines, HaveTheSolutionOfOneProcess)
         ASSERT_TRUE(ours.summary.converged);
         ASSERT_TRUE(one.summary.converged);
         EXPECT_LE(one.summary.iterations.size(), 14u);
-        // Where rows are cut it is up to 67.
+        // Rows that are cut take up to 67.
         EXPECT_LE(ours.summary.iterations.size(),
                   1.3 * one.summary.iterations.size());
         EXPECT_LT(difference(ours.w,

@@ -27,7 +27,7 @@ namespace StickSlip
    * passage through the matrix of its own.
    *
    * On several processes each acts on its own nodes, with the values of the
-   * others as they were before the sweep.
+   * others as they were before the sweep; CutPatches is for what that spoils.
    */
   template <int n_components, typename Number>
   class BlockGaussSeidel

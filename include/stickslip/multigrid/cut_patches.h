@@ -13,11 +13,11 @@
 namespace StickSlip
 {
   /**
-   * The patches that have nodes of several processes, relaxed each by one of
-   * them, the last one, which fetches the entries of the
-   * matrix that the others have. Within a process they are relaxed one after
-   * the other. Processes whose nodes couple take turns: else each would change
-   * a volume as if the other did not, and it would be as wrong as before.
+   * The patches that have nodes of several processes. Each is relaxed by the
+   * last of these, which fetches the entries of the matrix that it does not
+   * have, one after the other on a process. Processes whose nodes couple take
+   * turns: else each would change a volume as if the other did not, and it
+   * would be as wrong as before.
    *
    * All functions are collective.
    */
@@ -77,7 +77,7 @@ namespace StickSlip
     memory_consumption() const;
 
   private:
-    /** Find in which order processes act. */
+    /** Find the order in which processes act. */
     void
     find_turns(const NodePartition &nodes, const BlockSparsity &level_sparsity);
 
@@ -99,18 +99,19 @@ namespace StickSlip
     /** Turns of all processes, none if there are no such patches, and that of
      * this one. */
     unsigned int n_turns = 0, own_turn = 0;
-    /** Local indices on the level, ascending, and the couplings between them,
-     * by their places here. */
+
+    /** Nodes of the patches of this process by local index on the level,
+     * ascending, and the couplings between them, by their places here. */
     std::vector<unsigned int>            members;
     std::shared_ptr<const BlockSparsity> sparsity;
-    /** For each of these the row that it is read from and its position there:
-     * of the matrix on the level, or behind it of the fetched entries;
-     * transposed if need be. */
+    /** The place of an entry: a position in the matrix on the level or among
+     * the fetched entries. */
     struct Source
     {
       unsigned int position;
       bool         is_fetched, is_transposed;
     };
+    /** One for each coupling. */
     std::vector<Source> sources;
 
     /** Owned nodes that are members on any process. */
