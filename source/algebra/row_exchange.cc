@@ -5,6 +5,7 @@
 
 #include <stickslip/algebra/row_exchange.h>
 
+#include <algorithm>
 #include <map>
 
 namespace StickSlip
@@ -77,43 +78,60 @@ namespace StickSlip
 
 
 
+  template <typename Get>
+  std::vector<std::vector<double>>
+  RowExchange::exchange(const std::vector<Partner> &to,
+                        const std::vector<Partner> &from,
+                        const Get                  &get,
+                        const unsigned int          block_size) const
+  {
+    std::vector<std::vector<double>> out(to.size()), in(from.size());
+    std::vector<MPI_Request>         requests;
+    const auto check = [](const int ierr) { AssertThrowMPI(ierr); };
+    for (unsigned int p = 0; p < from.size(); ++p)
+      {
+        in[p].resize(from[p].entries.size() * block_size);
+        requests.emplace_back();
+        check(MPI_Irecv(in[p].data(),
+                        in[p].size(),
+                        MPI_DOUBLE,
+                        from[p].rank,
+                        message_tag,
+                        communicator,
+                        &requests.back()));
+      }
+    for (unsigned int p = 0; p < to.size(); ++p)
+      {
+        for (const unsigned int k : to[p].entries)
+          out[p].insert(out[p].end(), get(k), get(k) + block_size);
+        requests.emplace_back();
+        check(MPI_Isend(out[p].data(),
+                        out[p].size(),
+                        MPI_DOUBLE,
+                        to[p].rank,
+                        message_tag,
+                        communicator,
+                        &requests.back()));
+      }
+    check(MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE));
+    return in;
+  }
+
+
+
   template <typename Number>
   void
   RowExchange::add_to_owners(const AlignedVector<double> &ghost_values,
                              AlignedVector<Number>       &owned_values,
                              const unsigned int           block_size) const
   {
-    std::vector<std::vector<double>> out(receivers.size()), in(senders.size());
-    std::vector<MPI_Request>         requests;
-    const auto check = [](const int ierr) { AssertThrowMPI(ierr); };
-    for (unsigned int s = 0; s < senders.size(); ++s)
-      {
-        in[s].resize(senders[s].entries.size() * block_size);
-        requests.emplace_back();
-        check(MPI_Irecv(in[s].data(),
-                        in[s].size(),
-                        MPI_DOUBLE,
-                        senders[s].rank,
-                        message_tag,
-                        communicator,
-                        &requests.back()));
-      }
-    for (unsigned int r = 0; r < receivers.size(); ++r)
-      {
-        for (const unsigned int k : receivers[r].entries)
-          out[r].insert(out[r].end(),
-                        ghost_values.data() + std::size_t(k) * block_size,
-                        ghost_values.data() + std::size_t(k + 1) * block_size);
-        requests.emplace_back();
-        check(MPI_Isend(out[r].data(),
-                        out[r].size(),
-                        MPI_DOUBLE,
-                        receivers[r].rank,
-                        message_tag,
-                        communicator,
-                        &requests.back()));
-      }
-    check(MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE));
+    const auto in = exchange(
+      receivers,
+      senders,
+      [&](const unsigned int k) {
+        return ghost_values.data() + std::size_t(k) * block_size;
+      },
+      block_size);
     // The order is that of the ranks, so that sums are the same in each run.
     for (unsigned int s = 0; s < senders.size(); ++s)
       for (unsigned int k = 0; k < senders[s].entries.size(); ++k)
@@ -124,12 +142,40 @@ namespace StickSlip
 
 
 
-  template void
-  RowExchange::add_to_owners<double>(const AlignedVector<double> &,
-                                     AlignedVector<double> &,
-                                     const unsigned int) const;
-  template void
-  RowExchange::add_to_owners<float>(const AlignedVector<double> &,
-                                    AlignedVector<float> &,
-                                    const unsigned int) const;
+  template <typename Number>
+  void
+  RowExchange::fetch_from_owners(AlignedVector<double>       &ghost_values,
+                                 const AlignedVector<Number> &owned_values,
+                                 const unsigned int           block_size) const
+  {
+    const auto in = exchange(
+      senders,
+      receivers,
+      [&](const unsigned int k) {
+        return owned_values.data() + std::size_t(k) * block_size;
+      },
+      block_size);
+    for (unsigned int r = 0; r < receivers.size(); ++r)
+      for (unsigned int k = 0; k < receivers[r].entries.size(); ++k)
+        std::copy_n(in[r].begin() + std::size_t(k) * block_size,
+                    block_size,
+                    ghost_values.begin() +
+                      std::size_t(receivers[r].entries[k]) * block_size);
+  }
+
+
+
+#define STICKSLIP_INSTANTIATE(Number)                   \
+  template void RowExchange::add_to_owners<Number>(     \
+    const AlignedVector<double> &,                      \
+    AlignedVector<Number> &,                            \
+    const unsigned int) const;                          \
+  template void RowExchange::fetch_from_owners<Number>( \
+    AlignedVector<double> &,                            \
+    const AlignedVector<Number> &,                      \
+    const unsigned int) const;
+
+  STICKSLIP_INSTANTIATE(double)
+  STICKSLIP_INSTANTIATE(float)
+#undef STICKSLIP_INSTANTIATE
 } // namespace StickSlip

@@ -4,8 +4,9 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <metis.h>
 #include <stickslip/geometry/place_finder.h>
+#include <stickslip/mesh/cell_graph.h>
+#include <stickslip/mesh/cell_lines.h>
 #include <stickslip/mesh/cell_partition.h>
 
 #include <algorithm>
@@ -22,124 +23,18 @@ namespace StickSlip
     // of the pairs across a fault were split with 1 in place of 4, and with 4
     // at most 1.4 %, for 8 % more cuts elsewhere; 16 cost another 7 %, and more
     // parts were in pieces.
-    constexpr idx_t within_bodies = 1;
-    constexpr idx_t across_faults = 4;
+    constexpr unsigned int within_bodies = 1;
+    constexpr unsigned int across_faults = 4;
 
+    /** A cut across a line is dearer than one along it. */
+    constexpr unsigned int along_lines = 1000;
 
-
-    /** The cells of all bodies, one body after the other; an edge joins two
-     * that are better owned by the same process. */
-    class CellGraph
-    {
-    public:
-      explicit CellGraph(const unsigned int n_cells)
-        : neighbours(n_cells)
-      {}
-
-      /** Once for each pair of cells. */
-      void
-      add_edge(const unsigned int a, const unsigned int b, const idx_t weight)
-      {
-        neighbours[a].emplace_back(b, weight);
-        neighbours[b].emplace_back(a, weight);
-      }
-
-      /** The part of each cell. */
-      std::vector<unsigned int>
-      parts(const unsigned int n_parts) const
-      {
-        std::vector<unsigned int> result(neighbours.size(), 0);
-        if (n_parts >= result.size())
-          // METIS would complain on the screen and waste parts.
-          std::iota(result.begin(), result.end(), 0);
-        else if (n_parts > 1)
-          {
-            const std::vector<idx_t> found = parts_by_metis(n_parts);
-            std::copy(found.begin(), found.end(), result.begin());
-          }
-        return result;
-      }
-
-    private:
-      std::vector<idx_t>
-      parts_by_metis(const unsigned int n_parts) const
-      {
-        std::vector<idx_t> row_start = {0}, columns, weights;
-        for (const auto &row : neighbours)
-          {
-            for (const auto &neighbour : row)
-              {
-                columns.push_back(neighbour.first);
-                weights.push_back(neighbour.second);
-              }
-            AssertThrow(columns.size() <= static_cast<std::size_t>(
-                                            std::numeric_limits<idx_t>::max()),
-                        ExcMessage("The meshes have more cells than this "
-                                   "machine's METIS can count."));
-            row_start.push_back(columns.size());
-          }
-
-        idx_t options[METIS_NOPTIONS];
-        METIS_SetDefaultOptions(options);
-        options[METIS_OPTION_NUMBERING] = 0;
-        // A fixed seed gives equal results on all processes.
-        options[METIS_OPTION_SEED] = 1;
-
-        // By bisection, for the order of the parts in space.
-        idx_t              n_cells     = neighbours.size();
-        idx_t              n_weights   = 1;
-        idx_t              n           = n_parts;
-        idx_t              cut_weights = 0;
-        std::vector<idx_t> result(n_cells);
-        const int          status = METIS_PartGraphRecursive(&n_cells,
-                                                    &n_weights,
-                                                    row_start.data(),
-                                                    columns.data(),
-                                                    /*vwgt=*/nullptr,
-                                                    /*vsize=*/nullptr,
-                                                    weights.data(),
-                                                    &n,
-                                                    /*tpwgts=*/nullptr,
-                                                    /*ubvec=*/nullptr,
-                                                    options,
-                                                    &cut_weights,
-                                                    result.data());
-        AssertThrow(status == METIS_OK,
-                    ExcMessage("METIS could not distribute " +
-                               std::to_string(n_cells) + " cells onto " +
-                               std::to_string(n_parts) +
-                               " processes and returned " +
-                               std::to_string(status) + "."));
-        return result;
-      }
-
-      std::vector<std::vector<std::pair<unsigned int, idx_t>>> neighbours;
-    };
-
-
-
-    /** Edges between the cells of one body that share a face or part of one. */
-    template <int dim>
-    void
-    add_edges_within(const BodyMesh<dim> &body,
-                     const unsigned int   first_cell,
-                     CellGraph           &graph)
-    {
-      for (const auto &cell : body.triangulation().active_cell_iterators())
-        for (const auto face : cell->face_indices())
-          if (!cell->at_boundary(face))
-            {
-              // Each pair once: from the finer cell if there is one. Behind a
-              // face of finer cells, the neighbour is not active.
-              const auto neighbour = cell->neighbor(face);
-              if (neighbour->is_active() &&
-                  (cell->neighbor_is_coarser(face) ||
-                   cell->active_cell_index() < neighbour->active_cell_index()))
-                graph.add_edge(first_cell + cell->active_cell_index(),
-                               first_cell + neighbour->active_cell_index(),
-                               within_bodies);
-            }
-    }
+    /** Cells of the largest part over the mean that are allowed for whole
+     * lines, on meshes with few cells a part and on others. A single line that
+     * is cut takes up to twice as many iterations, several of them four times
+     * as many. */
+    constexpr double few_cells = 1000, largest_of_few = 1.5,
+                     largest_of_many = 1.3;
 
 
 
@@ -171,12 +66,12 @@ namespace StickSlip
 
 
 
-    /** Edges between cells whose faces on a fault overlap. */
+    /** Pairs of cells whose faces on a fault overlap. */
     template <int dim>
     void
-    add_edges_across(const std::vector<FaultCell<dim>> &first,
+    add_pairs_across(const std::vector<FaultCell<dim>> &first,
                      const std::vector<FaultCell<dim>> &second,
-                     CellGraph                         &graph)
+                     std::vector<CellPair>             &pairs)
     {
       const auto                  tree = pack_rtree(second);
       std::vector<FaultCell<dim>> found;
@@ -199,9 +94,102 @@ namespace StickSlip
                        BoundingBox<dim>(corners)),
                      std::back_inserter(found));
           for (const auto &other : found)
-            graph.add_edge(cell.second, other.second, across_faults);
+            pairs.emplace_back(cell.second, other.second);
         }
     }
+
+
+
+    /**
+     * The cells of all bodies, counted from one body to the next, and the pairs
+     * of them that are better owned by the same process.
+     */
+    template <int dim>
+    class NeighbouringCells
+    {
+    public:
+      NeighbouringCells(
+        const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
+        const FaultTopology                                     &topology,
+        const std::vector<unsigned int>                         &first_cell)
+        : n_cells(first_cell.back())
+      {
+        for (unsigned int i = 0; i < bodies.size(); ++i)
+          {
+            const unsigned int first = first_cell[i];
+            for (const auto &[a, b] : neighbouring_cells(*bodies[i], false))
+              within.emplace_back(first + a, first + b);
+            for (const auto &[a, b] : neighbouring_cells(*bodies[i], true))
+              in_lines.emplace_back(first + a, first + b);
+          }
+        for (const Fault &fault : topology.faults())
+          add_pairs_across(fault_cells(bodies, fault.sides[0], first_cell),
+                           fault_cells(bodies, fault.sides[1], first_cell),
+                           across);
+      }
+
+      /** The part of each cell. Lines are whole, or in as few pieces as it
+       * takes for parts that are equal enough. */
+      std::vector<unsigned int>
+      parts(const unsigned int n_parts) const
+      {
+        const double mean = 1. * n_cells / n_parts;
+        for (unsigned int longest = n_cells;;)
+          {
+            const std::vector<unsigned int> result =
+              parts_of_pieces(longest, n_parts);
+            if (in_lines.empty() || longest == 1)
+              return result;
+            const std::vector<unsigned int> sizes = count(result);
+            if (*std::max_element(sizes.begin(), sizes.end()) <=
+                (mean < few_cells ? largest_of_few : largest_of_many) * mean)
+              return result;
+            longest =
+              std::max<unsigned int>(std::min<double>(longest, mean) / 2, 1);
+          }
+      }
+
+    private:
+      /** The number of times that each number is there. */
+      static std::vector<unsigned int>
+      count(const std::vector<unsigned int> &numbers)
+      {
+        std::vector<unsigned int> result(1 + *std::max_element(numbers.begin(),
+                                                               numbers.end()),
+                                         0);
+        for (const unsigned int number : numbers)
+          ++result[number];
+        return result;
+      }
+
+      /** The part of each cell, pieces of lines with at most @p longest cells
+       * being whole. */
+      std::vector<unsigned int>
+      parts_of_pieces(const unsigned int longest,
+                      const unsigned int n_parts) const
+      {
+        const std::vector<unsigned int> piece =
+          pieces_of_lines(n_cells, in_lines, longest);
+        CellGraph  graph(count(piece));
+        const auto add = [&](const std::vector<CellPair> &pairs,
+                             const unsigned int           weight) {
+          for (const auto &[a, b] : pairs)
+            if (piece[a] != piece[b])
+              graph.add_edge(piece[a], piece[b], weight);
+        };
+        add(within, within_bodies);
+        add(in_lines, along_lines);
+        add(across, across_faults);
+        const std::vector<unsigned int> of_pieces = graph.parts(n_parts);
+        std::vector<unsigned int>       result;
+        for (const unsigned int p : piece)
+          result.push_back(of_pieces[p]);
+        return result;
+      }
+
+      unsigned int          n_cells;
+      std::vector<CellPair> within, in_lines, across;
+    };
   } // namespace
 
 
@@ -220,18 +208,10 @@ namespace StickSlip
       first_cell.push_back(first_cell.back() +
                            body->triangulation().n_active_cells());
 
-    std::vector<unsigned int> owners(first_cell.back(), 0);
-    if (n_parts > 1)
-      {
-        CellGraph graph(first_cell.back());
-        for (unsigned int i = 0; i < bodies.size(); ++i)
-          add_edges_within(*bodies[i], first_cell[i], graph);
-        for (const Fault &fault : topology.faults())
-          add_edges_across(fault_cells(bodies, fault.sides[0], first_cell),
-                           fault_cells(bodies, fault.sides[1], first_cell),
-                           graph);
-        owners = graph.parts(n_parts);
-      }
+    const std::vector<unsigned int> owners =
+      n_parts == 1 ?
+        std::vector<unsigned int>(first_cell.back(), 0) :
+        NeighbouringCells<dim>(bodies, topology, first_cell).parts(n_parts);
 
     std::vector<std::vector<unsigned int>> of_body;
     for (unsigned int i = 0; i < bodies.size(); ++i)

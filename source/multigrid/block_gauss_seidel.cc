@@ -476,6 +476,21 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
+  BlockGaussSeidel<n_components, Number>::residual_in_rows(
+    const std::vector<unsigned int> &rows,
+    NodeValues<Number>              &r,
+    const NodeValues<Number>        &x,
+    const NodeValues<Number>        &b) const
+  {
+    for (const unsigned int i : rows)
+      remainder_with_diagonal(
+        &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
   BlockGaussSeidel<n_components, Number>::residual_with_ghosts(
     NodeValues<Number>       &r,
     const NodeValues<Number> &x,

@@ -23,6 +23,9 @@ namespace StickSlip
       levels[l].active = descriptions[l].fixed;
     if (levels.size() > 1)
       levels.back().stiff_volumes = descriptions.back().stiff_volumes;
+    has_stiff_volumes =
+      Utilities::MPI::max(int(!levels.back().stiff_volumes.empty()),
+                          descriptions.back().nodes.communicator()) > 0;
     set_up_level(levels.size() - 1, terms);
     for (unsigned int l = levels.size() - 1; l > 0; --l)
       {
@@ -33,10 +36,12 @@ namespace StickSlip
         Level &coarse = levels[l - 1];
         coarse.matrix = BlockMatrix<n_components, Number>(
           descriptions[l].to_coarser->coarse_sparsity());
-        coarse.stiff_volumes =
-          coarsen_stiff_volumes(levels[l].stiff_volumes,
-                                descriptions[l].to_coarser->prolongation(),
-                                coarse.matrix.n_rows());
+        if (has_stiff_volumes)
+          coarse.stiff_volumes =
+            coarsen_stiff_volumes(levels[l].stiff_volumes,
+                                  descriptions[l].to_coarser->prolongation(),
+                                  descriptions[l].to_coarser->coarse_nodes(),
+                                  terms.size());
         if (l > 1)
           set_up_level(l - 1, coarse.terms);
       }
@@ -59,8 +64,18 @@ namespace StickSlip
     const LevelDescription<n_components> &description = descriptions[l];
     const BlockSparsity                  &sparsity = terms.front().sparsity();
     Level                                &level    = levels[l];
-    const std::vector<NodePatch>          patches =
+    std::vector<NodePatch>                patches =
       find_stiff_cells(sparsity, description.fixed, level.stiff_volumes);
+    if (is_shared && has_stiff_volumes && l > 0)
+      {
+        level.cuts = CutPatches<n_components, Number>(description.nodes,
+                                                      sparsity,
+                                                      description.fixed,
+                                                      level.stiff_volumes);
+        // All processes act on patches then, of one node if need be.
+        if (!level.cuts.are_empty() && patches.empty() && sparsity.n_rows() > 0)
+          patches.push_back({0});
+      }
     level.smoother = BlockGaussSeidel<n_components, Number>(
       sparsity,
       patches.empty() ? find_strong_lines(sparsity,
@@ -70,14 +85,15 @@ namespace StickSlip
                         std::vector<NodeLine>(),
       patches);
     // Coarse cells keep the volumes of the patches on the finest level.
-    if (!patches.empty() && l > 0 && l + 1 < levels.size())
-      level.middles = MiddleNodes<n_components>(
-        description.to_coarser->prolongation(),
-        description.to_coarser->coarse_nodes().n_owned(),
-        terms,
-        level.stiff_volumes,
-        description.fixed,
-        description.nonsmooth_nodes);
+    if (has_stiff_volumes && l > 0 && l + 1 < levels.size())
+      level.middles =
+        MiddleNodes<n_components>(description.to_coarser->prolongation(),
+                                  description.to_coarser->coarse_nodes(),
+                                  *description.to_coarser->coarse_sparsity(),
+                                  terms,
+                                  level.stiff_volumes,
+                                  description.fixed,
+                                  description.nonsmooth_nodes);
   }
 
 
@@ -119,6 +135,9 @@ namespace StickSlip
                            finer,
                            strip);
         finer.to_coarser->select_rows(strip);
+        levels[l + 1].middles.select_rows(finer.to_coarser->coarse_nodes(),
+                                          levels[l].matrix.sparsity(),
+                                          strip);
         levels[l].strip.clear();
         for (unsigned int i = 0; i < levels[l].matrix.n_rows(); ++i)
           if (strip[i])
@@ -216,6 +235,9 @@ namespace StickSlip
                           levels[l].matrix,
                           levels[l].active,
                           changed_on_level);
+    levels.back().cuts.set_matrix(A, active);
+    for (unsigned int l = 1; l + 1 < levels.size(); ++l)
+      levels[l].cuts.set_matrix(levels[l].matrix, levels[l].active);
   }
 
 
@@ -347,8 +369,10 @@ namespace StickSlip
       {
         // To agree on rows takes longer than to form them.
         product.compute_selected_rows(matrix, active, coarse.matrix);
-        levels[l].middles.add_to_rows(
-          product.prolongation(), matrix, active, coarse.strip, coarse.matrix);
+        levels[l].middles.add_to_selected_rows(product.prolongation(),
+                                               matrix,
+                                               active,
+                                               coarse.matrix);
         return coarse.strip;
       }
     std::vector<unsigned int> rows = product.rows_from(changed);
@@ -368,6 +392,15 @@ namespace StickSlip
   {
     Assert(l > 0, ExcMessage("The coarsest level is solved, not smoothed."));
     return levels[l].smoother;
+  }
+
+
+
+  template <int n_components, typename Number>
+  const CutPatches<n_components, Number> &
+  CycleOperators<n_components, Number>::cut_patches(const unsigned int l) const
+  {
+    return levels[l].cuts;
   }
 
 
@@ -409,6 +442,7 @@ namespace StickSlip
       {
         bytes += level.smoother.memory_consumption() +
                  level.matrix.memory_consumption() +
+                 level.cuts.memory_consumption() +
                  level.middles.memory_consumption() +
                  sizeof(unsigned int) * level.stiff_volumes.capacity();
         if (!level.terms.empty())

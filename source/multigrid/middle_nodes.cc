@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
 #include <stickslip/base/make_set.h>
@@ -89,7 +90,8 @@ namespace StickSlip
   template <typename Matrix>
   MiddleNodes<n_components>::MiddleNodes(
     const TransferMatrix            &transfer,
-    const unsigned int               n_coarse,
+    const NodePartition             &coarse_nodes,
+    const BlockSparsity             &coarse_sparsity,
     const std::vector<Matrix>       &matrices,
     const StiffVolumes              &stiff_volumes,
     const NodeMask                  &fixed,
@@ -98,29 +100,26 @@ namespace StickSlip
     const TransferMatrix::Compressed &P        = transfer.matrix();
     const BlockSparsity              &sparsity = matrices.front().sparsity();
     // Nodes that are not middle nodes, or beside one.
-    std::vector<bool> is_excluded(stiff_volumes.size(), false);
+    std::vector<bool> is_excluded(sparsity.n_rows(), false);
     for (const unsigned int i : nonsmooth_nodes)
       is_excluded[i] = true;
-    std::vector<std::vector<unsigned int>> shares(n_coarse);
+    std::vector<std::vector<unsigned int>> shares(coarse_nodes.n_local());
+    std::vector<BlockRow>                  products;
     for (unsigned int i = 0; i < stiff_volumes.size(); ++i)
       {
         if (stiff_volumes[i] == numbers::invalid_unsigned_int ||
             is_excluded[i] || !fixed.is_fully_active(i) || !is_middle(P, i))
           continue;
-        bool is_local = true;
-        for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
-          is_local &= P.column[k] < n_coarse;
-        for (unsigned int m = sparsity.row_start[i];
-             m < sparsity.row_start[i + 1];
-             ++m)
-          is_local &= sparsity.column[m] < is_excluded.size();
-        if (!is_local)
+        // Other processes do not know which nodes are excluded here.
+        if (std::any_of(sparsity.column.begin() + sparsity.row_start[i],
+                        sparsity.column.begin() + sparsity.row_start[i + 1],
+                        [&](const unsigned int j) {
+                          return j >= is_excluded.size() && is_middle(P, j);
+                        }))
           continue;
-        const Matrix  &A   = matrices[stiff_volumes[i]];
-        const BlockRow row = product_row(transfer, A, fixed, i);
-        if (row.back().first >= n_coarse)
-          continue;
-        const Block inverse = invert(A.diagonal_block(i));
+        const Matrix &A       = matrices[stiff_volumes[i]];
+        BlockRow      row     = product_row(transfer, A, fixed, i);
+        const Block   inverse = invert(A.diagonal_block(i));
         for (const auto &[J, value] : row)
           {
             shares[J].push_back(nodes.size());
@@ -134,19 +133,87 @@ namespace StickSlip
           }
         row_start.push_back(column.size());
         nodes.push_back(i);
+        products.push_back(std::move(row));
         for (unsigned int m = sparsity.row_start[i];
              m < sparsity.row_start[i + 1];
              ++m)
-          is_excluded[sparsity.column[m]] = true;
+          if (sparsity.column[m] < is_excluded.size())
+            is_excluded[sparsity.column[m]] = true;
       }
-    if (nodes.empty())
-      return;
+    find_ghost_rows(coarse_nodes, coarse_sparsity, products);
     first_share.push_back(0);
     for (const std::vector<unsigned int> &of_row : shares)
       {
         share.insert(share.end(), of_row.begin(), of_row.end());
         first_share.push_back(share.size());
       }
+  }
+
+
+
+  template <int n_components>
+  void
+  MiddleNodes<n_components>::find_ghost_rows(
+    const NodePartition         &coarse_nodes,
+    const BlockSparsity         &coarse_sparsity,
+    const std::vector<BlockRow> &products)
+  {
+    const unsigned int                     n_owned = coarse_nodes.n_owned();
+    std::vector<std::vector<unsigned int>> rows(coarse_nodes.n_local() -
+                                                n_owned);
+    const auto add = [&](const unsigned int I, const unsigned int J) {
+      if (I >= n_owned)
+        rows[I - n_owned].push_back(J);
+    };
+    for (unsigned int m = 0; m < nodes.size(); ++m)
+      for (unsigned int k = row_start[m]; k < row_start[m + 1]; ++k)
+        for (const auto &[J, value] : products[m])
+          {
+            add(column[k], J);
+            add(J, column[k]);
+          }
+    for (std::vector<unsigned int> &row : rows)
+      {
+        make_set(row);
+        ghost_sparsity.column.insert(ghost_sparsity.column.end(),
+                                     row.begin(),
+                                     row.end());
+        ghost_sparsity.row_start.push_back(ghost_sparsity.column.size());
+      }
+    ghost_values.resize(std::size_t(ghost_sparsity.column.size()) *
+                        n_components * n_components);
+    is_exchanged = Utilities::MPI::max(int(!ghost_sparsity.column.empty()),
+                                       coarse_nodes.communicator()) > 0;
+    if (is_exchanged)
+      exchange = RowExchange(coarse_nodes,
+                             coarse_sparsity,
+                             ghost_sparsity,
+                             std::vector<bool>(rows.size(), true));
+  }
+
+
+
+  template <int n_components>
+  void
+  MiddleNodes<n_components>::select_rows(const NodePartition &coarse_nodes,
+                                         const BlockSparsity &coarse_sparsity,
+                                         const std::vector<bool> &is_selected)
+  {
+    selected = is_selected;
+    with_selected.clear();
+    for (unsigned int I = 0; I + 1 < first_share.size(); ++I)
+      if (selected[I])
+        with_selected.insert(with_selected.end(),
+                             share.begin() + first_share[I],
+                             share.begin() + first_share[I + 1]);
+    make_set(with_selected);
+    if (is_exchanged)
+      exchange_of_selected =
+        RowExchange(coarse_nodes,
+                    coarse_sparsity,
+                    ghost_sparsity,
+                    {selected.begin() + coarse_nodes.n_owned(),
+                     selected.end()});
   }
 
 
@@ -191,6 +258,8 @@ namespace StickSlip
                 y[d] += Number(block[k][c][d]) * x[c];
           }
       }
+    if (is_exchanged)
+      add_ghosts_to_owners(coarse);
   }
 
 
@@ -204,7 +273,7 @@ namespace StickSlip
     const FineMatrix                        &fine,
     const NodeMask                          &mask,
     const std::vector<bool>                 &is_selected,
-    BlockMatrix<n_components, CoarseNumber> &coarse) const
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
     // With the row R = (A T)_m: C^T R + R^T C + C^T A_mm C.
     const unsigned int   m        = nodes[k];
@@ -213,10 +282,24 @@ namespace StickSlip
     const BlockSparsity &sparsity = coarse.sparsity();
     const auto           add =
       [&](const unsigned int I, const unsigned int J, const Block &value) {
-        CoarseNumber *target = coarse.block(sparsity.position(I, J));
-        for (unsigned int c = 0; c < n_components; ++c)
-          for (unsigned int d = 0; d < n_components; ++d)
-            target[c * n_components + d] += value[c][d];
+        const auto add_to = [&](auto *target) {
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
+              target[c * n_components + d] += value[c][d];
+        };
+        if (I < sparsity.n_rows())
+          {
+            add_to(coarse.block(sparsity.position(I, J)));
+            return;
+          }
+        const unsigned int ghost = I - sparsity.n_rows();
+        const auto         begin = ghost_sparsity.column.begin();
+        const auto         found =
+          std::lower_bound(begin + ghost_sparsity.row_start[ghost],
+                           begin + ghost_sparsity.row_start[ghost + 1],
+                           J);
+        add_to(ghost_values.data() +
+               std::size_t(found - begin) * n_components * n_components);
       };
     const auto is_wanted = [&](const unsigned int I) {
       return is_selected.empty() || is_selected[I];
@@ -248,10 +331,33 @@ namespace StickSlip
     const TransferMatrix                    &transfer,
     const FineMatrix                        &fine,
     const NodeMask                          &mask,
-    BlockMatrix<n_components, CoarseNumber> &coarse) const
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
+    ghost_values.fill(0.);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       add_share(k, transfer, fine, mask, {}, coarse);
+    exchange.add_to_owners(ghost_values,
+                           coarse.values(),
+                           n_components * n_components);
+  }
+
+
+
+  template <int n_components>
+  template <typename FineMatrix, typename CoarseNumber>
+  void
+  MiddleNodes<n_components>::add_to_selected_rows(
+    const TransferMatrix                    &transfer,
+    const FineMatrix                        &fine,
+    const NodeMask                          &mask,
+    BlockMatrix<n_components, CoarseNumber> &coarse)
+  {
+    ghost_values.fill(0.);
+    for (const unsigned int k : with_selected)
+      add_share(k, transfer, fine, mask, selected, coarse);
+    exchange_of_selected.add_to_owners(ghost_values,
+                                       coarse.values(),
+                                       n_components * n_components);
   }
 
 
@@ -264,7 +370,7 @@ namespace StickSlip
     const FineMatrix                        &fine,
     const NodeMask                          &mask,
     const std::vector<unsigned int>         &rows,
-    BlockMatrix<n_components, CoarseNumber> &coarse) const
+    BlockMatrix<n_components, CoarseNumber> &coarse)
   {
     if (nodes.empty())
       return;
@@ -290,8 +396,11 @@ namespace StickSlip
   {
     return sizeof(unsigned int) *
              (nodes.capacity() + row_start.capacity() + column.capacity() +
-              first_share.capacity() + share.capacity()) +
-           sizeof(Block) * block.capacity();
+              first_share.capacity() + share.capacity() +
+              with_selected.capacity()) +
+           sizeof(Block) * block.capacity() +
+           sizeof(double) * ghost_values.capacity() +
+           ghost_sparsity.memory_consumption();
   }
 
 
@@ -305,7 +414,8 @@ namespace StickSlip
 #define STICKSLIP_INSTANTIATE_TERMS(n_components, ...) \
   template MiddleNodes<n_components>::MiddleNodes(     \
     const TransferMatrix &,                            \
-    const unsigned int,                                \
+    const NodePartition &,                             \
+    const BlockSparsity &,                             \
     const std::vector<__VA_ARGS__> &,                  \
     const StiffVolumes &,                              \
     const NodeMask &,                                  \
@@ -316,7 +426,7 @@ namespace StickSlip
     const TransferMatrix &,                                            \
     const __VA_ARGS__ &,                                               \
     const NodeMask &,                                                  \
-    BlockMatrix<n_components, CoarseNumber> &) const;
+    BlockMatrix<n_components, CoarseNumber> &);
 
 #define STICKSLIP_INSTANTIATE_ROWS(n_components, CoarseNumber, ...) \
   template void MiddleNodes<n_components>::add_to_rows(             \
@@ -324,7 +434,12 @@ namespace StickSlip
     const __VA_ARGS__ &,                                            \
     const NodeMask &,                                               \
     const std::vector<unsigned int> &,                              \
-    BlockMatrix<n_components, CoarseNumber> &) const;
+    BlockMatrix<n_components, CoarseNumber> &);                     \
+  template void MiddleNodes<n_components>::add_to_selected_rows(    \
+    const TransferMatrix &,                                         \
+    const __VA_ARGS__ &,                                            \
+    const NodeMask &,                                               \
+    BlockMatrix<n_components, CoarseNumber> &);
 
 #define STICKSLIP_INSTANTIATE(n)                                   \
   template class MiddleNodes<n>;                                   \

@@ -74,6 +74,13 @@ namespace StickSlip
       void
       cycle(const unsigned int l, const NodeMask &active);
 
+      /** The sweeps before the coarser level, and the residual. */
+      void
+      smooth_from_zero(const unsigned int l);
+
+      void
+      smooth_backward(const unsigned int l);
+
       void
       solve_coarsest_level();
 
@@ -229,6 +236,70 @@ namespace StickSlip
 
     template <int n_components, typename Number>
     void
+    VCycleIn<n_components, Number>::smooth_from_zero(const unsigned int l)
+    {
+      Level                                        &level = levels[l];
+      const BlockGaussSeidel<n_components, Number> &smoother =
+        operators.smoother(l);
+      const CutPatches<n_components, Number> &cuts = operators.cut_patches(l);
+      if (sweeps == 1 && cuts.are_empty())
+        {
+          smoother.sweep_from_zero(level.solution, level.rhs);
+          smoother.residual_after_first_sweep(level.residual,
+                                              level.solution,
+                                              level.rhs);
+          return;
+        }
+      if (level.change.size() == 0)
+        level.change = level.solution;
+      for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
+        {
+          if (sweep == 0 && cuts.are_empty())
+            {
+              smoother.sweep_from_zero(level.solution, level.rhs);
+              continue;
+            }
+          if (sweep == 0)
+            cuts.relax_from_zero(level.solution,
+                                 level.residual,
+                                 level.rhs,
+                                 smoother);
+          else
+            cuts.relax_forward(level.solution,
+                               level.residual,
+                               level.rhs,
+                               smoother);
+          smoother.sweep_forward(level.solution, level.change, level.rhs);
+        }
+      smoother.residual_after_sweep(level.residual,
+                                    level.solution,
+                                    level.change,
+                                    level.rhs);
+    }
+
+
+
+    template <int n_components, typename Number>
+    void
+    VCycleIn<n_components, Number>::smooth_backward(const unsigned int l)
+    {
+      Level                                        &level = levels[l];
+      const BlockGaussSeidel<n_components, Number> &smoother =
+        operators.smoother(l);
+      for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
+        {
+          smoother.sweep_backward(level.solution, level.rhs);
+          operators.cut_patches(l).relax_backward(level.solution,
+                                                  level.residual,
+                                                  level.rhs,
+                                                  smoother);
+        }
+    }
+
+
+
+    template <int n_components, typename Number>
+    void
     VCycleIn<n_components, Number>::cycle(const unsigned int l,
                                           const NodeMask    &active)
     {
@@ -237,29 +308,12 @@ namespace StickSlip
           solve_coarsest_level();
           return;
         }
-      Level                                        &level  = levels[l];
-      Level                                        &coarse = levels[l - 1];
-      const BlockGaussSeidel<n_components, Number> &smoother =
-        operators.smoother(l);
+      Level                &level        = levels[l];
+      Level                &coarse       = levels[l - 1];
       const NodeMask       &active_below = operators.active(l - 1);
       const TransferMatrix &P = descriptions[l].to_coarser->prolongation();
 
-      smoother.sweep_from_zero(level.solution, level.rhs);
-      if (sweeps == 1)
-        smoother.residual_after_first_sweep(level.residual,
-                                            level.solution,
-                                            level.rhs);
-      else
-        {
-          if (level.change.size() == 0)
-            level.change = level.solution;
-          for (unsigned int sweep = 1; sweep < sweeps; ++sweep)
-            smoother.sweep_forward(level.solution, level.change, level.rhs);
-          smoother.residual_after_sweep(level.residual,
-                                        level.solution,
-                                        level.change,
-                                        level.rhs);
-        }
+      smooth_from_zero(l);
       active.apply(level.residual);
 
       const MiddleNodes<n_components> &middles = operators.middle_nodes(l);
@@ -271,8 +325,7 @@ namespace StickSlip
       middles.prolongate_add(level.solution, coarse.solution);
       active.apply(level.solution);
 
-      for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
-        smoother.sweep_backward(level.solution, level.rhs);
+      smooth_backward(l);
     }
 
 

@@ -140,17 +140,23 @@ namespace StickSlip
   StiffVolumes
   coarsen_stiff_volumes(const StiffVolumes   &fine,
                         const TransferMatrix &prolongation,
-                        const unsigned int    n_coarse)
+                        const NodePartition  &coarse_nodes,
+                        const unsigned int    n_terms)
   {
-    if (fine.empty())
-      return {};
-    StiffVolumes result(n_coarse, numbers::invalid_unsigned_int);
+    StiffVolumes result(coarse_nodes.n_owned(), numbers::invalid_unsigned_int);
     const TransferMatrix::Compressed &P = prolongation.matrix();
-    for (unsigned int i = 0; i < fine.size(); ++i)
-      if (fine[i] != numbers::invalid_unsigned_int)
-        for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
-          if (P.column[k] < n_coarse)
-            result[P.column[k]] = std::min(result[P.column[k]], fine[i]);
+    for (unsigned int term = n_terms; term-- > 0;)
+      {
+        NodalVector n_fine(coarse_nodes.nodes());
+        for (unsigned int i = 0; i < fine.size(); ++i)
+          if (fine[i] == term)
+            for (unsigned int k = P.row_start[i]; k < P.row_start[i + 1]; ++k)
+              n_fine.local_element(P.column[k]) += 1.;
+        add_ghosts_to_owners(n_fine);
+        for (unsigned int I = 0; I < result.size(); ++I)
+          if (n_fine.local_element(I) > 0.)
+            result[I] = term;
+      }
     return result;
   }
 

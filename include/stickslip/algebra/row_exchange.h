@@ -12,8 +12,9 @@ namespace StickSlip
 {
   /**
    * Sends what this process has computed of rows of ghost nodes to the owners
-   * of these, where it is added to their rows of a matrix. Who sends what to
-   * whom is found once; after that only values travel.
+   * of these, where it is added to their rows of a matrix, or fetches entries
+   * of such rows. Who sends what to whom is found once; after that only values
+   * travel.
    */
   class RowExchange
   {
@@ -41,6 +42,16 @@ namespace StickSlip
                   AlignedVector<Number>       &owned_values,
                   const unsigned int           block_size) const;
 
+    /**
+     * Set the values of the ghost rows to those of the owners. Collective among
+     * neighbours.
+     */
+    template <typename Number>
+    void
+    fetch_from_owners(AlignedVector<double>       &ghost_values,
+                      const AlignedVector<Number> &owned_values,
+                      const unsigned int           block_size) const;
+
   private:
     /** Another process, and the positions of entries in the order in which
      * they travel. */
@@ -49,6 +60,16 @@ namespace StickSlip
       unsigned int              rank;
       std::vector<unsigned int> entries;
     };
+
+    /** Send values to the partners @p to, and return those that come from the
+     * partners @p from, one list for each; @p get(entry) points to the numbers
+     * of an entry. */
+    template <typename Get>
+    std::vector<std::vector<double>>
+    exchange(const std::vector<Partner> &to,
+             const std::vector<Partner> &from,
+             const Get                  &get,
+             const unsigned int          block_size) const;
 
     MPI_Comm             communicator = MPI_COMM_SELF;
     std::vector<Partner> receivers, senders;

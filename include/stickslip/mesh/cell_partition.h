@@ -13,7 +13,9 @@ namespace StickSlip
    * The process that owns each active cell of each body: [body][active cell
    * index]. About as many cells for each of @p n_parts processes, with few
    * neighbours in different parts, and the cells that face each other across a
-   * fault in the reference configuration in the same one where possible. For
+   * fault in the reference configuration in the same one where possible. Lines
+   * of flat cells (cell_lines.h) are whole if no part then has more than 1.3
+   * times the mean, or 1.5 times below 1,000 cells for each part. For
    * powers of two, parts of neighbouring numbers are neighbours in space. Parts
    * in excess of the number of cells own nothing.
    *

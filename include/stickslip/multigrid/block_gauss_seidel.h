@@ -27,7 +27,7 @@ namespace StickSlip
    * passage through the matrix of its own.
    *
    * On several processes each acts on its own nodes, with the values of the
-   * others as they were before the sweep.
+   * others as they were before the sweep; CutPatches is for what that spoils.
    */
   template <int n_components, typename Number>
   class BlockGaussSeidel
@@ -102,6 +102,13 @@ namespace StickSlip
                          NodeValues<Number>       &x,
                          const NodeValues<Number> &change,
                          const NodeValues<Number> &b) const;
+
+    /** r = b - A x in some rows, with the ghosts that x has; with patches. */
+    void
+    residual_in_rows(const std::vector<unsigned int> &rows,
+                     NodeValues<Number>              &r,
+                     const NodeValues<Number>        &x,
+                     const NodeValues<Number>        &b) const;
 
     /** A backward sweep; fetches the ghosts of x. */
     void

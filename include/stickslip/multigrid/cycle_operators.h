@@ -5,6 +5,7 @@
 #define stickslip_multigrid_cycle_operators_h
 
 #include <stickslip/multigrid/block_gauss_seidel.h>
+#include <stickslip/multigrid/cut_patches.h>
 #include <stickslip/multigrid/level_description.h>
 #include <stickslip/multigrid/middle_nodes.h>
 
@@ -60,6 +61,10 @@ namespace StickSlip
     const BlockGaussSeidel<n_components, Number> &
     smoother(const unsigned int l) const;
 
+    /** The patches of the smoother that several processes share. */
+    const CutPatches<n_components, Number> &
+    cut_patches(const unsigned int l) const;
+
     /** The part of the transfer to the level below @p l that is not one number
      * for each pair of nodes. */
     const MiddleNodes<n_components> &
@@ -81,6 +86,7 @@ namespace StickSlip
     struct Level
     {
       BlockGaussSeidel<n_components, Number> smoother;
+      CutPatches<n_components, Number>       cuts;
       StiffVolumes                           stiff_volumes;
       /** Of the transfer to the next coarser level. */
       MiddleNodes<n_components> middles;
@@ -137,7 +143,9 @@ namespace StickSlip
 
     const std::vector<LevelDescription<n_components>> &descriptions;
     /** True on several processes. */
-    const bool         is_shared;
+    const bool is_shared;
+    /** True if there are stiff volumes on any process. */
+    bool               has_stiff_volumes;
     std::vector<Level> levels;
   };
 } // namespace StickSlip

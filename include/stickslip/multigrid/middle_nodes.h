@@ -6,6 +6,7 @@
 
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
+#include <stickslip/algebra/row_exchange.h>
 #include <stickslip/algebra/transfer_matrix.h>
 #include <stickslip/multigrid/volume_cells.h>
 
@@ -31,8 +32,8 @@ namespace StickSlip
    *
    * where A is the matrix in which the volume of the node is stiffest. It stays
    * for all combinations of the matrices, and where components are truncated.
-   * All is local: middle nodes are those that couple to own nodes and are
-   * interpolated from own coarse nodes only.
+   * A process has its own middle nodes, which may be interpolated from coarse
+   * nodes of others.
    */
   template <int n_components>
   class MiddleNodes
@@ -42,23 +43,25 @@ namespace StickSlip
     MiddleNodes() = default;
 
     /** Middle nodes among those with @p stiff_volumes in these @p matrices that
-     * are not nonsmooth; masked are only @p fixed components. @p n_coarse:
-     * number of owned coarse nodes. */
+     * are not nonsmooth; masked are only @p fixed components. The coarse nodes
+     * and the sparsity are those of the product. Collective, as are all
+     * functions but memory_consumption(). */
     template <typename Matrix>
     MiddleNodes(const TransferMatrix            &transfer,
-                const unsigned int               n_coarse,
+                const NodePartition             &coarse_nodes,
+                const BlockSparsity             &coarse_sparsity,
                 const std::vector<Matrix>       &matrices,
                 const StiffVolumes              &stiff_volumes,
                 const NodeMask                  &fixed,
                 const std::vector<unsigned int> &nonsmooth_nodes);
 
-    /** fine += C coarse. */
+    /** fine += C coarse, of which the ghosts are current. */
     template <typename Number>
     void
     prolongate_add(NodeValues<Number>       &fine,
                    const NodeValues<Number> &coarse) const;
 
-    /** coarse += C^T fine. */
+    /** coarse += C^T fine; ghosts of it are zero before and after. */
     template <typename Number>
     void
     restrict_add(NodeValues<Number>       &coarse,
@@ -71,16 +74,31 @@ namespace StickSlip
     add_to_product(const TransferMatrix                    &transfer,
                    const FineMatrix                        &fine,
                    const NodeMask                          &mask,
-                   BlockMatrix<n_components, CoarseNumber> &coarse) const;
+                   BlockMatrix<n_components, CoarseNumber> &coarse);
 
-    /** Add this to some rows of the product only. */
+    /** Select rows of the product, by local index, for ghosts as their owners
+     * have it. */
+    void
+    select_rows(const NodePartition     &coarse_nodes,
+                const BlockSparsity     &coarse_sparsity,
+                const std::vector<bool> &is_selected);
+
+    /** Add this to the selected rows of the product only. */
+    template <typename FineMatrix, typename CoarseNumber>
+    void
+    add_to_selected_rows(const TransferMatrix                    &transfer,
+                         const FineMatrix                        &fine,
+                         const NodeMask                          &mask,
+                         BlockMatrix<n_components, CoarseNumber> &coarse);
+
+    /** Add this to some rows of the product only; for one process. */
     template <typename FineMatrix, typename CoarseNumber>
     void
     add_to_rows(const TransferMatrix                    &transfer,
                 const FineMatrix                        &fine,
                 const NodeMask                          &mask,
                 const std::vector<unsigned int>         &rows,
-                BlockMatrix<n_components, CoarseNumber> &coarse) const;
+                BlockMatrix<n_components, CoarseNumber> &coarse);
 
     /** Bytes. */
     std::size_t
@@ -109,13 +127,29 @@ namespace StickSlip
               const FineMatrix                        &fine,
               const NodeMask                          &mask,
               const std::vector<bool>                 &is_selected,
-              BlockMatrix<n_components, CoarseNumber> &coarse) const;
+              BlockMatrix<n_components, CoarseNumber> &coarse);
+
+    /** Find the entries of the product in rows of other processes that middle
+     * nodes with these rows of A T have a share in. */
+    void
+    find_ghost_rows(const NodePartition         &coarse_nodes,
+                    const BlockSparsity         &coarse_sparsity,
+                    const std::vector<BlockRow> &products);
 
     std::vector<unsigned int> nodes;
     /** C, row by row. */
     std::vector<unsigned int> row_start = {0};
     std::vector<unsigned int> column;
     std::vector<Block>        block;
+    /** Shares in rows of other processes, row by row of the ghosts, and their
+     * way there, for all rows and for the selected ones. */
+    bool                  is_exchanged = false;
+    BlockSparsity         ghost_sparsity;
+    AlignedVector<double> ghost_values;
+    RowExchange           exchange, exchange_of_selected;
+    std::vector<bool>     selected;
+    /** The nodes with a share in a selected row. */
+    std::vector<unsigned int> with_selected;
     /** By coarse node: numbers of the middle nodes with a share in its row. */
     std::vector<unsigned int> first_share;
     std::vector<unsigned int> share;

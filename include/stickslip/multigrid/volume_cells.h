@@ -15,12 +15,14 @@ namespace StickSlip
   /** Nodes that all couple to each other, in ascending order. */
   using NodePatch = std::vector<unsigned int>;
 
-  /** The stiff volumes of the @p n_coarse owned nodes of the next coarser
-   * level: of those from which a node with one is interpolated. */
+  /** The stiff volumes, in any of @p n_terms, of the owned nodes of the next
+   * coarser level: of those from which a node with one is interpolated.
+   * Collective. */
   StiffVolumes
   coarsen_stiff_volumes(const StiffVolumes   &fine,
                         const TransferMatrix &prolongation,
-                        const unsigned int    n_coarse);
+                        const NodePartition  &coarse_nodes,
+                        const unsigned int    n_terms);
 
   /**
    * The largest sets of owned nodes, not wholly @p fixed ones, that all couple
