@@ -218,5 +218,7 @@ TEST(Mappings, DoNotJolt)
       std::cout << n_jolts << " mappings change slip rates by up to " << largest
                 << " in a step, the next step by " << usual << '\n';
       EXPECT_GT(n_jolts, 5u);
+      // Kept mappings change them by TODO.
+      EXPECT_LT(largest, 0.02);
     }
 }

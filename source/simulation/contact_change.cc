@@ -184,8 +184,12 @@ namespace StickSlip
 
   template <int dim>
   double
-  way_to_end(const MappingPlace<dim> &before, const MappingPlace<dim> &now)
+  way_to_end(const JumpBasis<dim>    &basis,
+             const MappingPlace<dim> &before,
+             const MappingPlace<dim> &now)
   {
+    if (is_any_bent(basis))
+      return 0.;
     double along = 0., squares = 0.;
     for (unsigned int k = 0; k < now.slip.size(); ++k)
       {

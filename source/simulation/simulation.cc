@@ -174,23 +174,9 @@ namespace StickSlip
     const double missing = energy ? energy->defect(state()) : 0.;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        // Iterations leave far less.
-        constexpr double allowed_part = 1e-3;
-
-        const double error = run_state.steps.largest_error.faults;
         std::cout << "Run " << ending.str() << ". Results are in "
                   << scene.output.directory << '.' << std::endl;
-        if (error > scene.time.tolerance)
-          std::cout << "Warning: the estimated error of a time step reached "
-                    << error
-                    << ", more than Time/Tolerance = " << scene.time.tolerance
-                    << ". Steps of one size do not follow the error."
-                    << std::endl;
-        if (std::abs(missing) > allowed_part * run_state.energy.work.largest())
-          std::cout << "Warning: " << missing << (dim == 2 ? " J/m" : " J")
-                    << " are missing in the balance of energy, "
-                    << missing / run_state.energy.work.largest()
-                    << " of the largest work (summary.txt)." << std::endl;
+        print_warnings(std::cout, scene.time.tolerance, run_state, missing);
       }
     return is_finished();
   }
@@ -431,7 +417,8 @@ namespace StickSlip
     MappingPlace<dim>         place{
       current.slip,
       expected_slip(faults, current.slip, run_state.coupling.slip, distances)};
-    const double part_to_end         = way_to_end(run_state.coupling, place);
+    const double part_to_end =
+      way_to_end(problem.jump_basis(), run_state.coupling, place);
     run_state.coupling               = std::move(place);
     run_state.coupled_displacement   = current.displacement;
     const FaultNodes<dim>     before = faults;

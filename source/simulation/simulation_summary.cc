@@ -269,7 +269,42 @@ namespace StickSlip
 
 
 
+  template <int dim, int n_components>
+  void
+  print_warnings(std::ostream                      &out,
+                 const double                       tolerance,
+                 const RunState<dim, n_components> &state,
+                 const double                       missing)
+  {
+    // Iterations leave far less.
+    constexpr double allowed_part = 1e-3, allowed_by_mappings = 1e-2;
+
+    const double       error   = state.steps.largest_error.faults;
+    const EnergyTerms &work    = state.energy.work;
+    const double       largest = work.largest();
+    const char *const  unit    = dim == 2 ? " J/m" : " J";
+    if (error > tolerance)
+      out << "Warning: the estimated error of a time step reached " << error
+          << ", more than Time/Tolerance = " << tolerance
+          << ". Steps of one size do not follow the error." << std::endl;
+    if (std::abs(missing) > allowed_part * largest)
+      out << "Warning: " << missing << unit
+          << " are missing in the balance of energy, " << missing / largest
+          << " of the largest work (summary.txt)." << std::endl;
+    if (std::abs(work.mappings) > allowed_by_mappings * largest)
+      out << "Warning: new contact mappings have added " << work.mappings
+          << unit << ", " << work.mappings / largest
+          << " of the largest work (summary.txt). A smaller 'Contact/Rebuild "
+             "fraction' makes that less."
+          << std::endl;
+  }
+
+
+
   template decltype(summarise_simulation<2>)    summarise_simulation<2>;
   template decltype(summarise_simulation<3>)    summarise_simulation<3>;
   template decltype(summarise_simulation<2, 1>) summarise_simulation<2, 1>;
+  template decltype(print_warnings<2>)          print_warnings<2>;
+  template decltype(print_warnings<3>)          print_warnings<3>;
+  template decltype(print_warnings<2, 1>)       print_warnings<2, 1>;
 } // namespace StickSlip

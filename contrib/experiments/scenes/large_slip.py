@@ -100,7 +100,9 @@ def outcome(store):
         f"Mappings: {shipped.summary_number('Steps/contact mappings built'):.0f} in "
         f"{pressure.slip[-1]:.2f} m of slip; largest gap "
         f"{1e6 * gap:.2f} µm, {gap / AMPLITUDE:.2g} of the amplitude. Energy: "
-        f"{shipped.summary_number('Energy/missing'):.3g} J/m missing, "
+        f"{shipped.summary_number('Energy/added by new contact mappings'):.3g} J/m "
+        "added by mappings, "
+        f"{shipped.summary_number('Energy/missing'):.2g} J/m missing, "
         f"{shipped.summary_number('Energy/missing, over the largest work'):.2g} of the "
         f"largest work.\n\n" + pressure_rows(pressure) + "\n"
         + page.table(

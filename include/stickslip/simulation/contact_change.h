@@ -73,11 +73,16 @@ namespace StickSlip
   };
 
   /** The way from the place of a mapping, which is half way, to the end of its
-   * interval, over the way from the place of the mapping before: the factor
-   * that fits all nodes best, from -1 to 1. */
+   * interval, over the way from the place of the mapping before, as far as the
+   * forces of tractions can be foreseen on it: the factor that fits all nodes
+   * best, from -1 to 1, and zero where a fault bends. Forces that turn drive
+   * the slip, and one that was foreseen from the last interval made slip rates
+   * of a rough fault swing from mapping to mapping. */
   template <int dim>
   double
-  way_to_end(const MappingPlace<dim> &before, const MappingPlace<dim> &now);
+  way_to_end(const JumpBasis<dim>    &basis,
+             const MappingPlace<dim> &before,
+             const MappingPlace<dim> &now);
 
   /** The normal stress of the background stress at all slave nodes along their
    * normals, Pa; empty where there is none, or no fault bends. */

@@ -31,6 +31,16 @@ namespace StickSlip
                        const SectionTimes                      &section_times,
                        const double                             construction,
                        const MPI_Comm                           communicator);
+
+  /** Print what makes the results of a run doubtful: an error of a step above
+   * the @p tolerance of steps, energy that is @p missing, J, and what new
+   * contact mappings have added. */
+  template <int dim, int n_components = dim>
+  void
+  print_warnings(std::ostream                      &out,
+                 const double                       tolerance,
+                 const RunState<dim, n_components> &state,
+                 const double                       missing);
 } // namespace StickSlip
 
 #endif
