@@ -128,7 +128,7 @@ end
     return most_energy * std::pow(std::sin(k * slip / 2.), 2);
   }
 
-  /** What the pressure changes by in a step of 1/512 of a wave, over
+  /** The change of the pressure in a step of 1/512 of a wave, over
    * most_pressure. */
   constexpr double most_pressure_step = k / 2. / 512.;
 

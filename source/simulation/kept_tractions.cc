@@ -57,7 +57,7 @@ namespace StickSlip
 
 
 
-    /** What laws and pressures say of the traction at a slave node. */
+    /** The traction at a slave node by laws and pressures. */
     template <int dim, int n_components>
     Tensor<1, n_components>
     traction_of_laws(const FaultNodes<dim>  &faults,

@@ -442,10 +442,11 @@ namespace StickSlip
     change_contact(
       current, problem, before, faults, distances_before, accelerations_before);
     current.fault_force.clear();
+    // Tractions of nodes that have left the contact must not be foreseen.
     problem.set_partner_force(
       tractions.force(current,
                       step_size_controller->lumped_mass(),
-                      part_to_end,
+                      have_same_contact(before, faults) ? part_to_end : 0.,
                       n_intervals(faults, current.slip_rate, distances)));
     if (energy)
       energy->restart(current, kinetic_energy);

@@ -49,7 +49,7 @@ namespace StickSlip
       return error.part_of(this->parameters.tolerance,
                            this->parameters.body_tolerance);
     };
-    // What a step leaves of waves grows with the square of its size.
+    // The error of waves in a step grows with the square of its size.
     const double blind_step =
       history.may_open() ?
         std::sqrt(this->parameters.body_tolerance) * history.wave_time() :

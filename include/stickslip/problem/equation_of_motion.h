@@ -123,7 +123,7 @@ namespace StickSlip
     double
     constant_rate_until(const double time) const;
 
-    /** That rate where it is known, N/s. */
+    /** The rate where it is known, N/s. */
     NodalVector
     load_rate(const double time) const;
 
@@ -218,7 +218,7 @@ namespace StickSlip
     /** In the jump basis, empty without a background stress. */
     NodalVector  fault_load;
     PartnerForce partners;
-    /** What is constant of the load if tractions are, once somebody has asked
+    /** The constant part of the load if tractions are, once somebody has asked
      * for it with this contact mapping. */
     std::unique_ptr<const NodalVector> constant_load;
 

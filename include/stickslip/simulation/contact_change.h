@@ -54,8 +54,8 @@ namespace StickSlip
                      const SystemState<dim>                &state);
 
   /**
-   * What a contact mapping was made for, m, at each slave node: the slip at
-   * that time, and the slip that was expected until the next mapping, empty for
+   * The place of a contact mapping, m, at each slave node: the slip at that
+   * time, and the slip that was expected until the next mapping, empty for
    * none. Partners are those half way.
    */
   template <int dim>
@@ -83,6 +83,11 @@ namespace StickSlip
   way_to_end(const JumpBasis<dim>    &basis,
              const MappingPlace<dim> &before,
              const MappingPlace<dim> &now);
+
+  /** True if the same slave nodes are in contact. */
+  template <int dim>
+  bool
+  have_same_contact(const FaultNodes<dim> &before, const FaultNodes<dim> &now);
 
   /** The normal stress of the background stress at all slave nodes along their
    * normals, Pa; empty where there is none, or no fault bends. */

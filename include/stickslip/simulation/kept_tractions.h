@@ -29,9 +29,9 @@ namespace StickSlip
   class KeptTractions
   {
   public:
-    /** Those of @p state with the contact mapping of @p problem and @p faults;
-     * both must live longer. @p lumped_mass: the mass of the time steps, null
-     * where it is that of the problem. Collective. */
+    /** Tractions of @p state with the contact mapping of @p problem and @p
+     * faults; both must live longer. @p lumped_mass: the mass of the time
+     * steps, null where it is that of the problem. Collective. */
     KeptTractions(SpatialProblem<dim, n_components>   &problem,
                   const FaultNodes<dim>               &faults,
                   const NodeLaws                      &laws,
