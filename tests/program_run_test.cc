@@ -86,7 +86,7 @@ TEST(ProgramRun, InterruptLeavesCompleteFiles)
   const Outcome outcome =
     run_and_interrupt(folder,
                       program() +
-                        " scene.prm --set 'Time/End time=100000' "
+                        " scene.prm --set 'Time/End time=1e8' "
                         // Weights in faults.h5 are those of the start.
                         "--set 'Contact/Follow slip=false'");
   EXPECT_EQ(outcome.exit_status, 130);
@@ -154,7 +154,7 @@ TEST(ProgramRun, TerminalShowsOneRewrittenLine)
   const TemporaryFolder folder;
   folder.write("scene.prm", scene_with_event);
   folder.write("run.sh",
-               program() + " scene.prm --set 'Time/End time=100000' "
+               program() + " scene.prm --set 'Time/End time=1e8' "
                            "--set 'Output/Write volume=false' &\n"
                            "pid=$!\n"
                            "for i in $(seq 600); do\n"

@@ -206,18 +206,6 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  have_same_contact(const FaultNodes<dim> &before, const FaultNodes<dim> &now)
-  {
-    for (unsigned int k = 0; k < now.size(); ++k)
-      if (before.in_contact(k) != now.in_contact(k))
-        return false;
-    return true;
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   background_normal_stress(const BackgroundStress<dim> &background,
                            const JumpBasis<dim>        &basis)
@@ -367,8 +355,6 @@ namespace StickSlip
   template decltype(slip_accelerations<2>)       slip_accelerations<2>;
   template decltype(slip_accelerations<3>)       slip_accelerations<3>;
   template decltype(slip_accelerations<2, 1>)    slip_accelerations<2, 1>;
-  template decltype(have_same_contact<2>)        have_same_contact<2>;
-  template decltype(have_same_contact<3>)        have_same_contact<3>;
   template decltype(way_to_end<2>)               way_to_end<2>;
   template decltype(way_to_end<3>)               way_to_end<3>;
   template decltype(background_normal_stress<2>) background_normal_stress<2>;

@@ -34,6 +34,19 @@ namespace StickSlip
 {
   namespace
   {
+    /** A force that goes from the last value of another one to zero, as fast as
+     * that has changed. If sides slip less than was foreseen, it must not pull
+     * at them for ever. */
+    PartnerForce
+    fading(const PartnerForce &force, const double time)
+    {
+      PartnerForce result{force.last, force.last, time, force.rate};
+      result.last = 0.;
+      return result;
+    }
+
+
+
     /** The scene itself, if it runs on that many processes. */
     template <int dim>
     const SceneParameters<dim> &
@@ -317,6 +330,9 @@ namespace StickSlip
         has_slid(
           faults, state().slip, run_state.coupling.slip, sliding_distances()))
       follow_contact();
+    else if (const PartnerForce &force = problem.partner_force();
+             force.is_there() && state().time >= force.end())
+      problem.set_partner_force(fading(force, state().time));
   }
 
 
@@ -442,11 +458,10 @@ namespace StickSlip
     change_contact(
       current, problem, before, faults, distances_before, accelerations_before);
     current.fault_force.clear();
-    // Tractions of nodes that have left the contact must not be foreseen.
     problem.set_partner_force(
       tractions.force(current,
                       step_size_controller->lumped_mass(),
-                      have_same_contact(before, faults) ? part_to_end : 0.,
+                      part_to_end,
                       n_intervals(faults, current.slip_rate, distances)));
     if (energy)
       energy->restart(current, kinetic_energy);

@@ -84,11 +84,6 @@ namespace StickSlip
              const MappingPlace<dim> &before,
              const MappingPlace<dim> &now);
 
-  /** True if the same slave nodes are in contact. */
-  template <int dim>
-  bool
-  have_same_contact(const FaultNodes<dim> &before, const FaultNodes<dim> &now);
-
   /** The normal stress of the background stress at all slave nodes along their
    * normals, Pa; empty where there is none, or no fault bends. */
   template <int dim>
