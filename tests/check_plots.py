@@ -46,7 +46,7 @@ EVENTS = (
     "nucleation_x,moment,peak_moment_rate,stress_drop,ruptured_area"
 )
 ENERGY = ("time,kinetic,elastic,driven_sides,loads,friction,viscosity,radiation,contact,"
-          "missing")
+          "mappings,missing")
 
 
 def slip_rate(t, x):
@@ -143,7 +143,7 @@ def write_run(directory, with_events=True, dim=2, shape="level", n_faults=1, dip
         file.write(ENERGY + "\n")
         for time in t:
             file.write(f"{time:.17g},0,{time * time},{2 * time * time},0,{time * time},"
-                       "0,0,0,1e-9\n")
+                       "0,0,0,0,1e-9\n")
     (directory / "summary.txt").write_text("Run\n  program  stickslip <&> 1\n")
     (directory / "parameters.prm").write_text(
         f"subsection Time\n  set End time = {t[-1]}\nend\n")

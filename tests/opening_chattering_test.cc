@@ -120,6 +120,7 @@ TEST(OpeningChattering, WhatFollowsAnImpactIsNotAMatterOfTheSteps)
                                MPI_COMM_WORLD);
       EXPECT_EQ(n_landings(simulation), 1u);
       std::cout << simulation.counts().accepted << " steps\n";
+      EXPECT_LE(simulation.counts().accepted, slips.empty() ? 2500u : 5500u);
       slips.push_back(simulation.state().slip);
       tractions.emplace_back();
       for (unsigned int k = 0; k < slips.back().size(); ++k)

@@ -101,13 +101,10 @@ TEST(ParallelIncompressible, CyclesAreSymmetric)
       scene.problem.combine({0., 0., 1.});
       for (const double probability : {0., 0.5, 1.})
         {
-          std::mt19937                engine(5 +
+          std::mt19937   engine(5 +
                               Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-          std::bernoulli_distribution is_truncated(probability);
-          NodeMask                    active = hierarchy.finest().fixed;
-          for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
-            if (is_truncated(engine))
-              active.mask(p, 0);
+          const NodeMask active =
+            random_truncation(hierarchy.finest(), probability, engine);
           hierarchy.linearise(std::vector<Tensor<2, 2>>(
                                 hierarchy.finest().nonsmooth_nodes.size()),
                               active);

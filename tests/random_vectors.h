@@ -29,6 +29,25 @@ namespace StickSlip::Tests
 
 
 
+  /** The mask in which each tangential jump is truncated with this
+   * probability. */
+  template <int n_components>
+  NodeMask
+  random_truncation(const LevelDescription<n_components> &finest,
+                    const double                          probability,
+                    std::mt19937                         &engine)
+  {
+    std::bernoulli_distribution is_truncated(probability);
+    NodeMask                    active = finest.fixed;
+    for (const unsigned int p : finest.nonsmooth_nodes)
+      for (unsigned int c = 0; c + 1 < n_components; ++c)
+        if (is_truncated(engine))
+          active.mask(p, c);
+    return active;
+  }
+
+
+
   /** Expect that the V-cycle with these components is symmetric, up to a
    * relative @p tolerance, and positive. */
   template <int n_components>

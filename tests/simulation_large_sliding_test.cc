@@ -108,7 +108,7 @@ namespace
                                  std::max(lower.first, upper.first);
           EXPECT_NEAR(area + contact.coupling.lost_area,
                       overlap - 0.125 * contact.smallest_face,
-                      1e-4);
+                      2e-5);
           EXPECT_LE(contact.coupling.lost_area, 0.25 * contact.smallest_face);
         }
     });

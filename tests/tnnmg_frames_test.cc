@@ -142,14 +142,8 @@ namespace
   NodeMask
   truncation(const LevelDescription<dim> &finest, const double probability)
   {
-    std::mt19937                engine(5);
-    std::bernoulli_distribution is_truncated(probability);
-    NodeMask                    active = finest.fixed;
-    for (const unsigned int i : finest.nonsmooth_nodes)
-      for (unsigned int c = 0; c + 1 < dim; ++c)
-        if (is_truncated(engine))
-          active.mask(i, c);
-    return active;
+    std::mt19937 engine(5);
+    return random_truncation(finest, probability, engine);
   }
 
 

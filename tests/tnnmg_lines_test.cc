@@ -33,12 +33,9 @@ namespace
   NodeMask
   truncate(LevelHierarchy<2> &hierarchy, const double probability)
   {
-    std::mt19937                engine(5);
-    std::bernoulli_distribution is_truncated(probability);
-    NodeMask                    active = hierarchy.finest().fixed;
-    for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
-      if (is_truncated(engine))
-        active.mask(p, 0);
+    std::mt19937   engine(5);
+    const NodeMask active =
+      random_truncation(hierarchy.finest(), probability, engine);
     hierarchy.linearise(std::vector<Tensor<2, 2>>(
                           hierarchy.finest().nonsmooth_nodes.size()),
                         active);

@@ -31,13 +31,8 @@ namespace
   NodeMask
   truncation(const LevelDescription<2> &finest, const double probability)
   {
-    static std::mt19937         engine(5);
-    std::bernoulli_distribution is_truncated(probability);
-    NodeMask                    active = finest.fixed;
-    for (const unsigned int p : finest.nonsmooth_nodes)
-      if (is_truncated(engine))
-        active.mask(p, 0);
-    return active;
+    static std::mt19937 engine(5);
+    return random_truncation(finest, probability, engine);
   }
 
 

@@ -99,6 +99,7 @@ ENERGIES = (
     ("viscosity", "by viscosity", COLOURS[2], "-"),
     ("radiation", "by radiation", COLOURS[5], "-"),
     ("contact", "taken by contacts", COLOURS[4], "-"),
+    ("mappings", "added by contact mappings", GREY, "--"),
     ("missing", "missing", BLACK, ":"),
 )
 
@@ -111,11 +112,13 @@ def energies(axis, run):
     if table is None or len(table["time"]) == 0:
         say(axis, "no energy.csv")
         return
-    changes = {name: table[name] - table[name][0] for name, _, _, _ in ENERGIES}
+    # Earlier versions have no energy of contact mappings.
+    terms = [term for term in ENERGIES if term[0] in table]
+    changes = {name: table[name] - table[name][0] for name, _, _, _ in terms}
     largest = max(np.abs(values).max() for values in changes.values())
     unit = "J/m" if run.fields(run.faults[0]).is_plane else "J"
     by, unit = scaled(largest, unit)
-    for name, label, colour, style in ENERGIES:
+    for name, label, colour, style in terms:
         # What would lie on the axis all the time is left out.
         if np.abs(changes[name]).max() > 2e-3 * largest or name == "missing":
             axis.plot(factor * table["time"], by * changes[name], color=colour,

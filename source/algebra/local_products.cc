@@ -45,8 +45,6 @@ namespace StickSlip
   sums<2>(const std::array<double, 2> &, const MPI_Comm);
   template std::array<double, 3>
   sums<3>(const std::array<double, 3> &, const MPI_Comm);
-  template std::array<double, 4>
-  sums<4>(const std::array<double, 4> &, const MPI_Comm);
   template std::array<double, 7>
   sums<7>(const std::array<double, 7> &, const MPI_Comm);
   template std::array<double, 8>

@@ -365,33 +365,17 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
-  CutPatches<n_components, Number>::relax_forward(
+  CutPatches<n_components, Number>::relax(
+    const bool                                    is_forward,
     NodeValues<Number>                           &x,
     NodeValues<Number>                           &r,
     const NodeValues<Number>                     &b,
     const BlockGaussSeidel<n_components, Number> &of_level) const
   {
-    for (unsigned int turn = 0; turn < n_turns; ++turn)
+    for (unsigned int k = 0; k < n_turns; ++k)
       {
         find_residual(x, r, b, of_level);
-        take_turn(turn, true, x, r);
-      }
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  CutPatches<n_components, Number>::relax_backward(
-    NodeValues<Number>                           &x,
-    NodeValues<Number>                           &r,
-    const NodeValues<Number>                     &b,
-    const BlockGaussSeidel<n_components, Number> &of_level) const
-  {
-    for (unsigned int turn = n_turns; turn-- > 0;)
-      {
-        find_residual(x, r, b, of_level);
-        take_turn(turn, false, x, r);
+        take_turn(is_forward ? k : n_turns - 1 - k, is_forward, x, r);
       }
   }
 

@@ -265,10 +265,11 @@ namespace StickSlip
                                  level.rhs,
                                  smoother);
           else
-            cuts.relax_forward(level.solution,
-                               level.residual,
-                               level.rhs,
-                               smoother);
+            cuts.relax(/*is_forward=*/true,
+                       level.solution,
+                       level.residual,
+                       level.rhs,
+                       smoother);
           smoother.sweep_forward(level.solution, level.change, level.rhs);
         }
       smoother.residual_after_sweep(level.residual,
@@ -289,10 +290,11 @@ namespace StickSlip
       for (unsigned int sweep = 0; sweep < sweeps; ++sweep)
         {
           smoother.sweep_backward(level.solution, level.rhs);
-          operators.cut_patches(l).relax_backward(level.solution,
-                                                  level.residual,
-                                                  level.rhs,
-                                                  smoother);
+          operators.cut_patches(l).relax(/*is_forward=*/false,
+                                         level.solution,
+                                         level.residual,
+                                         level.rhs,
+                                         smoother);
         }
     }
 

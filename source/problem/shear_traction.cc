@@ -65,6 +65,20 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  Tensor<1, dim - 1>
+  written_traction(const FaultNodes<dim>  &faults,
+                   const NodeLaws         &laws,
+                   const SystemState<dim> &state,
+                   const unsigned int      k)
+  {
+    return state.mean_traction.empty() ?
+             shear_traction(faults, laws, state, k) :
+             state.mean_traction[k];
+  }
+
+
+
   namespace
   {
     /** Answers are the same on all processes, which have all nodes. */
@@ -127,6 +141,8 @@ namespace StickSlip
   template decltype(directed_friction<3>) directed_friction<3>;
   template decltype(shear_traction<2>)    shear_traction<2>;
   template decltype(shear_traction<3>)    shear_traction<3>;
+  template decltype(written_traction<2>)  written_traction<2>;
+  template decltype(written_traction<3>)  written_traction<3>;
 #define STICKSLIP_INSTANTIATE(dim, n_components)                \
   template std::vector<Tensor<1, dim - 1>> balancing_tractions( \
     const FaultNodes<dim> &,                                    \

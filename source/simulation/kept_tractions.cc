@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/problem/known_velocities.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/simulation/kept_tractions.h>
 

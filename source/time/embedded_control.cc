@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace StickSlip
 {
@@ -50,14 +49,13 @@ namespace StickSlip
                            this->parameters.body_tolerance);
     };
     // The error of waves in a step grows with the square of its size.
-    const double blind_step =
-      history.may_open() ?
-        std::sqrt(this->parameters.body_tolerance) * history.wave_time() :
-        std::numeric_limits<double>::max();
+    const auto blind_step = [&]() {
+      return std::sqrt(this->parameters.body_tolerance) * history.wave_time();
+    };
     const double largest =
       history.sees_bodies() ?
         memory.proposed :
-        this->on_grid(std::min(memory.proposed, blind_step));
+        this->on_grid(std::min(memory.proposed, blind_step()));
     // Time until sides come together, s; zero where no step is to end there.
     double contact = 0.;
     while (true)
@@ -77,7 +75,7 @@ namespace StickSlip
             const double part  = part_of_allowed(memory.last_error);
             factor             = growth(part, memory.just_rejected);
             const bool lands   = !result.slip_rate_before_impacts.empty();
-            if (part <= 1. && (contact > 0. || !lands || tau <= blind_step))
+            if (part <= 1. && (contact > 0. || !lands || tau <= blind_step()))
               {
                 memory.largest_error =
                   memory.largest_error.larger(memory.last_error);

@@ -10,6 +10,7 @@
 #include <stickslip/time/step_history.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,12 +21,11 @@ namespace StickSlip
   StepHistory<dim, n_components>::wave_time() const
   {
     double least = std::numeric_limits<double>::max();
-    if (nodal_masses != nullptr)
-      for (const unsigned int k : faults.owned_contact())
-        if (laws[k].shear_impedance > 0.)
-          least = std::min(least,
-                           (*nodal_masses)[faults.node(k)] /
-                             (faults.weights()[k] * laws[k].shear_impedance));
+    for (const unsigned int k : faults.owned_contact())
+      if (laws[k].shear_impedance > 0.)
+        least = std::min(least,
+                         (*nodal_masses)[faults.node(k)] /
+                           (faults.weights()[k] * laws[k].shear_impedance));
     return Utilities::MPI::min(least,
                                records[0].velocity.get_mpi_communicator());
   }
@@ -215,9 +215,36 @@ namespace StickSlip
 
   template <int dim, int n_components>
   double
+  StepHistory<dim, n_components>::mean_speed(const PastState<dim> &now) const
+  {
+    const double         *v = now.velocity.begin();
+    std::array<double, 2> parts{};
+    for (unsigned int node = 0; node < nodal_masses->size(); ++node)
+      {
+        double square = 0.;
+        for (unsigned int i = node * n_components;
+             i < (node + 1) * n_components;
+             ++i)
+          square += v[i] * v[i];
+        parts[0] += (*nodal_masses)[node] * std::sqrt(square);
+        parts[1] += (*nodal_masses)[node];
+      }
+    const auto [momentum, mass] =
+      sums<2>(parts, now.velocity.get_mpi_communicator());
+    return momentum / mass;
+  }
+
+
+
+  template <int dim, int n_components>
+  double
   StepHistory<dim, n_components>::velocity_scale(
     const PastState<dim> &now) const
   {
+    if (may_open() && std::none_of(now.in_contact.begin(),
+                                   now.in_contact.end(),
+                                   [](const bool touches) { return touches; }))
+      return mean_speed(now);
     double                           least = std::numeric_limits<double>::max();
     const std::vector<unsigned int> &first = faults.first_of_fault();
     for (unsigned int f = 0; f + 1 < first.size(); ++f)
@@ -260,22 +287,17 @@ namespace StickSlip
   StepHistory<dim, n_components>::body_error(const PastState<dim> &now,
                                              const Extrapolation  &past) const
   {
-    const bool is_free =
-      !now.is_open.empty() &&
-      std::none_of(now.in_contact.begin(),
-                   now.in_contact.end(),
-                   [](const bool touches) { return touches; });
-    const double strength = is_free ? 0. : velocity_scale(now);
-    if (strength == std::numeric_limits<double>::max())
+    const double scale = velocity_scale(now);
+    if (scale == std::numeric_limits<double>::max())
       return 0.;
-    // Sums of m e^2, m |e|, m |v| and m.
-    std::array<double, 4> of_nodes{};
+    // Sums of m e^2 and m |e|.
+    std::array<double, 2> parts{};
     const double *v = now.velocity.begin(), *v0 = records[0].velocity.begin(),
                  *v1 = records[1].velocity.begin(),
                  *v2 = records[2].velocity.begin();
     for (unsigned int node = 0; node < nodal_masses->size(); ++node)
       {
-        double square = 0., speed = 0.;
+        double square = 0.;
         for (unsigned int i = node * n_components;
              i < (node + 1) * n_components;
              ++i)
@@ -283,19 +305,13 @@ namespace StickSlip
             const double e = v[i] - past.newest * v0[i] - past.older * v1[i] -
                              past.oldest * v2[i];
             square += e * e;
-            speed += v[i] * v[i];
           }
-        const double mass = (*nodal_masses)[node];
-        of_nodes[0] += mass * square;
-        of_nodes[1] += mass * std::sqrt(square);
-        of_nodes[2] += mass * std::sqrt(speed);
-        of_nodes[3] += mass;
+        parts[0] += (*nodal_masses)[node] * square;
+        parts[1] += (*nodal_masses)[node] * std::sqrt(square);
       }
-    const auto [squares, errors, speeds, masses] =
-      sums<4>(of_nodes, now.velocity.get_mpi_communicator());
-    return errors > 0. ? past.part * squares / errors /
-                           (is_free ? speeds / masses : strength) :
-                         0.;
+    const auto [squares, sizes] =
+      sums<2>(parts, now.velocity.get_mpi_communicator());
+    return sizes > 0. ? past.part * squares / sizes / scale : 0.;
   }
 
 

@@ -61,8 +61,11 @@ namespace StickSlip
       "weighted by the mass and by itself, times the impedance of shear "
       "waves, over the larger one of a and b times the normal stress (of the "
       "fault where these are least): what the error of waves brings to the "
-      "faults. Used only with 'Inertia = dynamic', after three steps, and "
-      "where friction is rate and state.");
+      "faults; over the mean speed of the bodies where sides may open and none "
+      "touch. Its square root is the longest step in which sides meet, or have "
+      "just met or parted, over the time that shear waves take through half a "
+      "cell at the fault. Used only with 'Inertia = dynamic', after three "
+      "steps, and where friction is rate and state.");
     add_number(prm,
                "Impact tolerance",
                impact_tolerance,

@@ -53,8 +53,8 @@ def impact():
 
 
 def chattering():
-    """Contacts amplify differences of 1e-12 to 1e-2 within 0.14 s, so that solutions
-    are compared before, and the longer run has only to reach its end."""
+    """Contacts amplify differences of 1e-14 s to 3e-4 within 0.1 s, so that solutions
+    are compared then, and the longer run has only to reach its end."""
     for end_time, reference in ((0.1, CONDENSED), (0.4, None)):
         yield Case(
             "opening",

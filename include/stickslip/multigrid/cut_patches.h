@@ -57,20 +57,13 @@ namespace StickSlip
       const NodeValues<Number>                     &b,
       const BlockGaussSeidel<n_components, Number> &of_level) const;
 
-    /** Relax the patches, from any x. */
+    /** Relax the patches, from any x, in this or in reverse order. */
     void
-    relax_forward(NodeValues<Number>                           &x,
-                  NodeValues<Number>                           &r,
-                  const NodeValues<Number>                     &b,
-                  const BlockGaussSeidel<n_components, Number> &of_level) const;
-
-    /** Relax them in reverse order. */
-    void
-    relax_backward(
-      NodeValues<Number>                           &x,
-      NodeValues<Number>                           &r,
-      const NodeValues<Number>                     &b,
-      const BlockGaussSeidel<n_components, Number> &of_level) const;
+    relax(const bool                                    is_forward,
+          NodeValues<Number>                           &x,
+          NodeValues<Number>                           &r,
+          const NodeValues<Number>                     &b,
+          const BlockGaussSeidel<n_components, Number> &of_level) const;
 
     /** Bytes. */
     std::size_t

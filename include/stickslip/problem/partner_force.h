@@ -13,8 +13,8 @@ namespace StickSlip
   /**
    * A force on the bodies that makes up for the partners of slave nodes, which
    * go on while a contact mapping stays. It changes linearly from its first
-   * value, with which tractions were what they had been with the mapping
-   * before, to its last one, and stays there.
+   * value, with which tractions are those with the mapping before, to its last
+   * one, and stays there.
    */
   struct PartnerForce
   {

@@ -52,12 +52,7 @@ namespace StickSlip
   written_traction(const FaultNodes<dim>  &faults,
                    const NodeLaws         &laws,
                    const SystemState<dim> &state,
-                   const unsigned int      k)
-  {
-    return state.mean_traction.empty() ?
-             shear_traction(faults, laws, state, k) :
-             state.mean_traction[k];
-  }
+                   const unsigned int      k);
 
   /**
    * The shear tractions that balance @p forces on all slave nodes, N, Pa, where

@@ -116,7 +116,7 @@ namespace StickSlip
    * @p now. Where sides touch, slip rates, and slip_accelerations() before
    * that, belong to the nodes of the fault and stay, along axes that may have
    * turned; those of the slave side follow from them and from the new partners.
-   * Where they are apart, velocities stay, and with them their energy. Nodes
+   * Velocities of sides that are apart stay, and with them their energy. Nodes
    * that come into contact get the jump of the velocities as they are, and the
    * gap of their nearest neighbour. Sides that touch keep doing so; gaps of
    * others change by as much as their distances_of_gaps() from those with the

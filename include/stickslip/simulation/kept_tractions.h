@@ -57,9 +57,12 @@ namespace StickSlip
      * master along the axes of the node, and zero elsewhere, Pa. */
     std::vector<Tensor<1, n_components>> tractions;
 
-    /** The velocity with the mapping before, m/s, and forces on the nodes, N:
-     * those of the tractions, and the PartnerForce that there was. */
-    NodalVector velocity, acceleration, of_tractions, of_partners;
+    /** Velocity and acceleration with the mapping before, m/s, m/s^2. */
+    NodalVector velocity, acceleration;
+
+    /** Forces on the nodes, N: of the tractions, and the PartnerForce that
+     * there was, empty if there was none. */
+    NodalVector of_tractions, of_partners;
   };
 } // namespace StickSlip
 

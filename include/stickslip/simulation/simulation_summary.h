@@ -12,6 +12,8 @@
 #include <stickslip/time/energy_balance.h>
 #include <stickslip/time/rate_solver_choice.h>
 
+#include <ostream>
+
 namespace StickSlip
 {
   /**

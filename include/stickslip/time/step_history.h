@@ -62,8 +62,8 @@ namespace StickSlip
     {}
 
     /** The shortest time that shear waves take through half a cell at a fault,
-     * s: what velocities change in at nodes that have been stopped.
-     * Collective. */
+     * s, in which velocities change at nodes that have been stopped. With mass
+     * only. Collective. */
     double
     wave_time() const;
 
@@ -141,10 +141,16 @@ namespace StickSlip
 
     /** The velocity at which shear waves carry max(a, b) times the normal
      * stress, or the largest slip rate of the fault if that is more; the least
-     * of all faults, m/s; infinity if no fault has a law of that kind and a
-     * normal stress. */
+     * of all faults, m/s; the largest number if no fault has a law of that kind
+     * and a normal stress. Where sides may open and none touch, there is no
+     * strength: mean_speed(). Collective. */
     double
     velocity_scale(const PastState<dim> &now) const;
+
+    /** The mean speed of the bodies, weighted with their mass, m/s.
+     * Collective. */
+    double
+    mean_speed(const PastState<dim> &now) const;
 
     /** True if no sides have met or parted since the oldest record: velocities
      * jump where they do. */
