@@ -97,6 +97,9 @@ subsection Time
   set Largest step      = 1e-3
   set End time          = 0.05
 end
+subsection TNNMG
+  set Tolerance = 1e-12
+end
 )";
   Simulation<2>     whole(read_scene(one_body), MPI_COMM_WORLD);
   run(whole);

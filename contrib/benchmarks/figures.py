@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 from matplotlib.ticker import MaxNLocator
 
 from common.figures import (
-    BLACK, BLUE, GREEN, GREY, IMAGES, ORANGE, PURPLE, SKY, VERMILION, YELLOW,
+    BLACK, BLUE, GREEN, IMAGES, ORANGE, PURPLE, SKY, VERMILION, YELLOW,
     new_panels,
 )
 
@@ -25,7 +25,6 @@ SOLVER_STYLES = {
     "CG with ML": ("correction by CG with ML", GREEN, "^", "-"),
     "Newton, UMFPACK": ("Newton without smoother, UMFPACK", PURPLE, "v", "-"),
     "condensed": ("condensed Newton", YELLOW, "P", "-"),
-    "Gauss-Seidel": ("nonlinear Gauss-Seidel", GREY, "x", "-"),
     "geometric": ("deal.II's multigrid, linear", BLACK, "o", "--"),
     "coupled": ("our cycle, linear", VERMILION, "o", "--"),
     "algebraic": ("ML, linear", GREEN, "^", "--"),

@@ -7,6 +7,8 @@
 #include <stickslip/multigrid/level_hierarchy.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 
+#include <limits>
+
 namespace Measure
 {
   using namespace StickSlip;
@@ -49,10 +51,14 @@ namespace Measure
       return Tensor<1, dim>();
     }
 
+    /** None: a node with a second derivative could be quadratic. */
     Tensor<2, dim>
     hessian(const unsigned int, const Tensor<1, dim> &) const override
     {
-      return Tensor<2, dim>();
+      Tensor<2, dim> none;
+      for (unsigned int c = 0; c < dim; ++c)
+        none[c][c] = std::numeric_limits<double>::infinity();
+      return none;
     }
 
     bool

@@ -128,12 +128,6 @@ namespace
              2 * number_bytes;
     }
 
-    double
-    gauss_seidel() const
-    {
-      return product() + dim * number_bytes + 2 * number_bytes;
-    }
-
     /** Off the diagonal with indices, the inverse of the diagonal block
      * without. */
     double
@@ -170,7 +164,7 @@ namespace
     void
     run()
     {
-      run_block_kernels();
+      run_product();
       run_smoother<double>();
       run_smoother<float>();
       run_library();
@@ -196,32 +190,17 @@ namespace
       table.end_row();
     }
 
-    /** The product and the sweep of the nonlinear smoother. */
+    /** The product of conjugate gradients. */
     void
-    run_block_kernels()
+    run_product()
     {
-      AlignedVector<double> x(n * dim, 0.), b(n * dim, 1.),
-        inverse_diagonal(n * dim * dim, 0.);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const Tensor<2, dim> inverse = invert(matrix.diagonal_block(i));
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
-              inverse_diagonal[(i * dim + c) * dim + d] = inverse[c][d];
-        }
-      const auto A    = matrix.rows();
-      const Cost cost = {dim, entries, sizeof(double)};
+      AlignedVector<double> x(n * dim, 0.), b(n * dim, 1.);
+      const auto            A    = matrix.rows();
+      const Cost            cost = {dim, entries, sizeof(double)};
       row("product",
           shortest(repetitions,
                    [&]() { Kernels::vmult<dim>(A, 0, n, b.data(), x.data()); }),
           cost.product());
-      row("Gauss-Seidel",
-          shortest(repetitions,
-                   [&]() {
-                     Kernels::gauss_seidel_forward<dim>(
-                       A, inverse_diagonal.data(), 0, n, b.data(), x.data());
-                   }),
-          cost.gauss_seidel());
     }
 
 

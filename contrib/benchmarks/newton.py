@@ -11,7 +11,6 @@ SECTION = "newton"
 # An iteration that ends farther away has not found the solution.
 LARGEST_ERROR = 1e-6
 CORRECTION = "TNNMG/Linear correction"
-LIMIT = "TNNMG/Largest number of iterations"
 
 # Entries of the scene and options of the program for each solver.
 SOLVERS = {
@@ -21,8 +20,9 @@ SOLVERS = {
     "CG with ML": ({}, ("--amg",)),
     "Newton, UMFPACK": ({CORRECTION: "UMFPACK"}, ("--without-smoother",)),
     "condensed": ({"Time/Rate solver": "condensed Newton"}, ()),
-    "Gauss-Seidel": ({LIMIT: 200}, ("--gauss-seidel",)),
 }
+
+
 def cases(quick):
     """Mesh, step size, states, solvers, and the longest time of a run of the
     program in s."""

@@ -4,7 +4,7 @@
 /*
  * rate_problem FILE.prm [--set ENTRY=VALUE]... [--repetitions N]
  *              [--state NAME:EXPRESSION]... [--taus SIZES]
- *              [--without-smoother] [--amg] [--gauss-seidel] [--costs]
+ *              [--without-smoother] [--amg] [--costs]
  *
  * Measures one rate problem of a scene: that of its first time step, of size
  * Time/Initial step, at the initial state of the faults, from the static
@@ -16,11 +16,10 @@
  *
  * The error is that in the energy norm against TNNMG's solution with tolerance
  * 1e-13, relative to that. Bytes are what is allocated for matrices and solver,
- * without the meshes. --without-smoother leaves out the nonlinear smoother,
- * --gauss-seidel everything else; --amg solves the linearised problems by
- * conjugate gradients with algebraic multigrid. --costs measures what changes
- * of the operator take. The column converged tells whether the iteration has;
- * there is no error exit if not.
+ * without the meshes. --without-smoother leaves out the nonlinear smoother;
+ * --amg solves the linearised problems by conjugate gradients with algebraic
+ * multigrid. --costs measures what changes of the operator take. The column
+ * converged tells whether the iteration has; there is no error exit if not.
  */
 
 #include <stickslip/faults/fault_functional.h>
@@ -274,8 +273,6 @@ main(int argc, char *argv[])
       Utilities::string_to_int(options.take_value("--repetitions", "3"));
     task.without_smoother = options.take("--without-smoother");
     task.costs            = options.take("--costs");
-    if (options.take("--gauss-seidel"))
-      task.correction = Correction::none;
     if (options.take("--amg"))
       task.correction = Correction::amg;
     task.taus = Utilities::string_to_double(

@@ -22,32 +22,7 @@ namespace Measure
   {
     of_scene,
     /** By conjugate gradients with cycles of algebraic multigrid. */
-    amg,
-    /** Not at all; what remains is nonlinear Gauss-Seidel. */
-    none
-  };
-
-  template <int dim>
-  class NoCorrection : public LinearCorrection<dim>
-  {
-  public:
-    bool
-    linearise(const std::vector<Tensor<2, dim>> &, const NodeMask &) override
-    {
-      return false;
-    }
-
-    unsigned int
-    solve(NodalVector &x,
-          NodalVector &A_x,
-          NodalVector &,
-          const double,
-          const bool) override
-    {
-      x   = 0.;
-      A_x = 0.;
-      return 0;
-    }
+    amg
   };
 
   /** The solver of rate problems that the scene asks for, as in a time step,
@@ -69,9 +44,6 @@ namespace Measure
         std::make_unique<AMGCorrection<dim>>(operators,
                                              parameters,
                                              rigid_body_modes(problem)));
-    if (correction == Correction::none)
-      return std::make_unique<TNNMGSolver<dim>>(
-        operators, parameters, std::make_unique<NoCorrection<dim>>());
     return std::make_unique<TNNMGSolver<dim>>(problem.hierarchy(), parameters);
   }
 } // namespace Measure

@@ -34,27 +34,6 @@ namespace StickSlip
           for (int d = 0; d < n_components; ++d)
             s[c] -= sum[c * n_components + d];
       }
-
-
-
-      template <int n_components, typename Number>
-      inline void
-      relax_row(const BlockRows<Number> &A,
-                const Number            *inverse_diagonal,
-                const unsigned int       i,
-                const Number            *b,
-                Number                  *x)
-      {
-        Number s[n_components];
-        for (int c = 0; c < n_components; ++c)
-          s[c] = b[i * n_components + c];
-        subtract_row<n_components>(A, i, x, s);
-        const Number *D = inverse_diagonal + static_cast<unsigned long>(i) *
-                                               n_components * n_components;
-        for (int c = 0; c < n_components; ++c)
-          for (int d = 0; d < n_components; ++d)
-            x[i * n_components + c] += D[c * n_components + d] * s[d];
-      }
     } // namespace
 
 
@@ -124,21 +103,6 @@ namespace StickSlip
 
     template <int n_components, typename Number>
     void
-    gauss_seidel_forward(const BlockRows<Number> &A,
-                         const Number            *inverse_diagonal,
-                         const unsigned int       begin,
-                         const unsigned int       end,
-                         const Number            *b,
-                         Number                  *x)
-    {
-      for (unsigned int i = begin; i < end; ++i)
-        relax_row<n_components>(A, inverse_diagonal, i, b, x);
-    }
-
-
-
-    template <int n_components, typename Number>
-    void
     add_numbers(const Number        factor,
                 const Number       *numbers,
                 const unsigned long n,
@@ -201,14 +165,7 @@ namespace StickSlip
                                                const unsigned int,        \
                                                const Number *,            \
                                                const Number *,            \
-                                               Number *);                 \
-  template void gauss_seidel_forward<n_components, Number>(               \
-    const BlockRows<Number> &,                                            \
-    const Number *,                                                       \
-    const unsigned int,                                                   \
-    const unsigned int,                                                   \
-    const Number *,                                                       \
-    Number *);
+                                               Number *);
 
     STICKSLIP_INSTANTIATE(1, float)
     STICKSLIP_INSTANTIATE(2, float)

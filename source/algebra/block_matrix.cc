@@ -148,6 +148,28 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
+  BlockMatrix<n_components, Number>::subtract_column(
+    const unsigned int             node,
+    const Tensor<1, n_components> &values,
+    NodeValues<Number>            &r) const
+  {
+    for (unsigned int p = pattern->row_start[node];
+         p < pattern->row_start[node + 1];
+         ++p)
+      {
+        const Number *A = block(p);
+        Number       *target =
+          r.begin() + std::size_t(pattern->column[p]) * n_components;
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            target[d] -= A[c * n_components + d] * values[c];
+      }
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
   BlockMatrix<n_components, Number>::combine(
     const std::vector<std::pair<double, const BlockMatrix *>> &terms,
     const unsigned int                                         begin,

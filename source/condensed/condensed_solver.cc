@@ -220,14 +220,14 @@ namespace StickSlip
   void
   CondensedSolver<n_components>::sweep(
     const NonsmoothFunctional<n_components> &functional,
-    const NodalVector &,
+    const bool,
     NodalVector &z,
     NodalVector &r)
   {
     const unsigned int                     n = entries.size();
     const CondensedOperator<n_components> &S =
       condensed_operators.front().condensed;
-    std::vector<double> rest = entries_of(this->residual);
+    std::vector<double> rest = entries_of(r);
     for (unsigned int k = 0; k < entries.of_node.size(); ++k)
       {
         // Moving the part of this node to the left leaves what the minimiser

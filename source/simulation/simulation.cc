@@ -171,7 +171,7 @@ namespace StickSlip
             dynamic_cast<const InputError *>(&error) != nullptr)
           try
             {
-              finish(error.what());
+              finish(sentence(error));
             }
           catch (const std::exception &)
             {

@@ -444,18 +444,19 @@ namespace StickSlip
     const double             tau,
     const std::vector<bool> &touching) const
   {
-    if (unilateral.is_needed())
-      for (unsigned int k = 0; k < pressure.size(); ++k)
-        // The impulse that a node lands with is no pressure that rubs.
-        if (time_parameters.inertia == Inertia::dynamic && touching[k] &&
-            from.gap[k] > 0.)
-          pressure[k] = from.contact_pressure[k];
-        else if (!unilateral.may_open(k) || (touching[k] && from.gap[k] == 0. &&
-                                             !unilateral.has_landed(from, k)))
-          pressure[k] = time_scheme->end_pressure(pressure[k],
-                                                  from.contact_pressure[k],
-                                                  tau,
-                                                  from.last_step);
+    if (!unilateral.is_needed())
+      return pressure;
+    for (unsigned int k = 0; k < pressure.size(); ++k)
+      // The impulse that a node lands with is no pressure that rubs.
+      if (time_parameters.inertia == Inertia::dynamic && touching[k] &&
+          from.gap[k] > 0.)
+        pressure[k] = from.contact_pressure[k];
+      else if (!unilateral.may_open(k) || (touching[k] && from.gap[k] == 0. &&
+                                           !unilateral.has_landed(from, k)))
+        pressure[k] = time_scheme->end_pressure(pressure[k],
+                                                from.contact_pressure[k],
+                                                tau,
+                                                from.last_step);
     return pressure;
   }
 

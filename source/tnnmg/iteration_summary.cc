@@ -56,7 +56,8 @@ namespace StickSlip
         << ", truncated " << summary.n_truncated << ", step length "
         << std::fixed << summary.step_length << " ("
         << summary.line_search_evaluations << " slopes), cycles "
-        << summary.cycles;
+        << summary.cycles
+        << (summary.sweeps_everywhere ? ", sweep everywhere" : "");
     out.flags(flags);
     out.precision(precision);
     return out;

@@ -8,9 +8,24 @@
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** All owned nodes. */
+    std::vector<unsigned int>
+    all_of(const NodePartition &nodes)
+    {
+      std::vector<unsigned int> result(nodes.n_owned());
+      std::iota(result.begin(), result.end(), 0u);
+      return result;
+    }
+  } // namespace
+
+
+
   template <int n_components>
   NonsmoothSolver<n_components>::NonsmoothSolver(
     const Unknowns        &unknowns,
@@ -18,11 +33,12 @@ namespace StickSlip
     : unknowns(unknowns)
     , parameters(parameters)
     , residual(unknowns.nodes.make_vector())
-    , previous(residual)
     , new_residual(residual)
     , force(residual)
     , correction(residual)
     , A_correction(residual)
+    , previous(residual)
+    , all_nodes(all_of(unknowns.nodes))
   {}
 
 
@@ -95,23 +111,20 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
     const MPI_Comm                   communicator = w.get_mpi_communicator();
     IterationSummary                 summary;
-    previous = w;
-
+    copy_blocks<n_components>(swept_nodes(), w, previous);
+    new_residual = residual;
     if (parameters.nonlinear_smoothing)
-      sweep(functional, b, w, new_residual);
-    else
-      new_residual = residual;
+      sweep(functional, is_slow, w, new_residual);
+    summary.sweeps_everywhere = is_slow;
 
     // The quadratic part of J changes by -d . r + d . A d / 2 over a change d
     // of w, where r = b - A w, and A d is the change of -r. In one message with
     // what the correction begins with, as if the smoother were good.
-    LinearProblem problem = truncate(functional, w);
-    NodalVector  &change  = correction;
-    change                = w;
-    change -= previous;
+    LinearProblem problem                    = truncate(functional, w);
+    NodalVector  &change                     = correction;
+    const auto [downwards_here, square_here] = find_smoothing(w, change);
     const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
-    const std::array<double, 2> smoothed       = squares_after(b, w, 0.);
-    const auto                  smoother_slope = [&](const double s) {
+    const auto smoother_slope = [&](const double s) {
       return is_shared ? slope_of(functional, nodes, previous, change, s) : 0.;
     };
     const auto [downwards,
@@ -122,15 +135,16 @@ namespace StickSlip
                 energy_of_all,
                 square_of_problem,
                 n_outdated] =
-      sums<8>({{local_product(change, residual),
-                smoothed[0],
-                increase(functional, nodes, w, previous),
-                smoother_slope(0.),
-                smoother_slope(1.),
-                smoothed[1],
-                problem.square,
-                double(problem.is_outdated)}},
-              communicator);
+      sums<8>(
+        {{downwards_here,
+          square_here,
+          increase(functional, nodes, w, previous),
+          smoother_slope(0.),
+          smoother_slope(1.),
+          is_shared ? local_product(w, b) - local_product(w, new_residual) : 0.,
+          problem.square,
+          double(problem.is_outdated)}},
+        communicator);
     problem.square      = square_of_problem;
     problem.is_outdated = n_outdated > 0.;
     summary.smoother_decrease =
@@ -189,13 +203,15 @@ namespace StickSlip
       }
     summary.correction_norm = std::sqrt(std::abs(change_of_all));
     summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
+    is_slow = t < 0.5 || summary.correction_norm > 0.5 * last_correction_norm;
+    last_correction_norm = summary.correction_norm;
 
     // The condition is not only for speed: zero times NaN would spoil the
     // iterate.
     if (t > 0.)
       {
         NodalVector &before = force;
-        before              = w;
+        copy_blocks<n_components>(nodes, w, before);
         w.add(t, correction);
         project(functional, nodes, w);
         if (t == 1.)
@@ -209,8 +225,30 @@ namespace StickSlip
             Utilities::MPI::sum(increase(functional, nodes, w, before),
                                 communicator);
       }
-    residual = new_residual;
+    residual.swap(new_residual);
     return summary;
+  }
+
+
+
+  template <int n_components>
+  std::pair<double, double>
+  NonsmoothSolver<n_components>::find_smoothing(const NodalVector &w,
+                                                NodalVector       &change) const
+  {
+    double downwards = 0., square = 0.;
+    for (const unsigned int node : swept_nodes())
+      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
+           ++i)
+        {
+          const double its_change =
+            w.local_element(i) - previous.local_element(i);
+          change.local_element(i) = its_change;
+          downwards += its_change * residual.local_element(i);
+          square += its_change *
+                    (residual.local_element(i) - new_residual.local_element(i));
+        }
+    return {downwards, square};
   }
 
 
@@ -317,16 +355,16 @@ namespace StickSlip
     correction += given;
     A_correction += A_given;
 
-    bool is_shortened = false;
+    bool is_cut = false;
     for (const BoundComponent &bound :
          project_step(functional, nodes, w, correction))
       // The others of them are beyond their bounds by rounding only.
       if (active.is_active(bound.node, bound.component))
         {
           at_bound.push_back(bound);
-          is_shortened = true;
+          is_cut = true;
         }
-    if (on_any(is_shortened))
+    if (on_any(is_cut))
       vmult(A_correction, correction);
     return cycles;
   }
@@ -340,20 +378,25 @@ namespace StickSlip
                                                const double       t) const
   {
     // A times the change is that of -r. Steps of length zero may be no numbers.
+    const auto step_of = [t](const NodalVector &vector, const unsigned int i) {
+      return t > 0. ? t * vector.local_element(i) : 0.;
+    };
+    const auto r_after = [&](const unsigned int i) {
+      return new_residual.local_element(i) - step_of(A_correction, i);
+    };
     const unsigned int    n      = w.locally_owned_size();
     std::array<double, 2> result = {{0., 0.}};
     for (unsigned int i = 0; i < n; ++i)
       {
-        double iterate = w.local_element(i), r = new_residual.local_element(i);
-        if (t > 0.)
-          {
-            iterate += t * correction.local_element(i);
-            r -= t * A_correction.local_element(i);
-          }
-        result[0] += (iterate - previous.local_element(i)) *
-                     (residual.local_element(i) - r);
-        result[1] += iterate * (b.local_element(i) - r);
+        const double step = step_of(correction, i), r = r_after(i);
+        result[0] += step * (residual.local_element(i) - r);
+        result[1] += (w.local_element(i) + step) * (b.local_element(i) - r);
       }
+    for (const unsigned int node : swept_nodes())
+      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
+           ++i)
+        result[0] += (w.local_element(i) - previous.local_element(i)) *
+                     (residual.local_element(i) - r_after(i));
     return result;
   }
 
@@ -383,8 +426,11 @@ namespace StickSlip
         square)
         .step_length;
     summary.smoother_step_length = t;
-    w                            = previous;
-    w.add(t, change);
+    for (const unsigned int node : swept_nodes())
+      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
+           ++i)
+        w.local_element(i) =
+          previous.local_element(i) + t * change.local_element(i);
     project(functional, nodes, w);
     new_residual.sadd(t, 1. - t, residual);
     summary.smoother_decrease =

@@ -35,6 +35,7 @@ namespace StickSlip
   {
     operators.matrix().residual(this->residual, b, w);
     linear_correction->start();
+    this->restart();
   }
 
 
@@ -46,7 +47,12 @@ namespace StickSlip
     const NodalVector                       &b,
     NodalVector                             &w)
   {
-    return this->carry_out_steps(functional, b, w);
+    const IterationSummary summary = this->carry_out_steps(functional, b, w);
+    // Rounding from an iterate that was far too large stays in a residual that
+    // follows.
+    if (summary.correction_norm > 2. * summary.iterate_norm)
+      operators.matrix().residual(this->residual, b, w);
+    return summary;
   }
 
 
@@ -55,12 +61,11 @@ namespace StickSlip
   void
   TNNMGSolver<n_components>::sweep(
     const NonsmoothFunctional<n_components> &functional,
-    const NodalVector                       &b,
+    const bool                               is_everywhere,
     NodalVector                             &w,
     NodalVector                             &r)
   {
-    nonlinear_gauss_seidel(operators, functional, b, w);
-    operators.matrix().residual(r, b, w);
+    nonlinear_gauss_seidel(operators, functional, is_everywhere, w, r);
   }
 
 

@@ -32,11 +32,16 @@ def opening(end_time, fault=None, overrides=None, upper=None):
     } | (overrides or {})
 
 
+def tolerances(part):
+    """Entries for these parts of the default tolerances of steps."""
+    return {"Time/Tolerance": f"{part * 1.3e-6:g}",
+            "Time/Body tolerance": f"{part * 1e-3:g}"}
+
+
 def impact():
     """The upper body falls, in a stronger field of gravity for the larger speed, and
-    is still in contact at the end."""
-    for speed, gravity, tolerance in ((1, GRAVITY, "5e-4"),
-                                      (100, 100 * GRAVITY, "2e-4")):
+    is still in contact at the end. Tolerances are as large as errors in time allow."""
+    for speed, gravity, part in ((1, GRAVITY, 0.5), (100, 100 * GRAVITY, 0.02)):
         height = speed**2 / (2 * gravity)
         yield Case(
             "opening",
@@ -45,16 +50,19 @@ def impact():
                 speed / gravity + 0.008,
                 {"Initial gap": f"{height:g} + 1e-3 * x"},
                 {"Gravity/Acceleration": f"{gravity:g}", "Time/Largest step": "5e-4",
-                 "Time/Initial step": "5e-4", "Time/Body tolerance": tolerance},
+                 "Time/Initial step": "5e-4"} | tolerances(part),
             ),
             CONDENSED,
-            note=f"body tolerance {tolerance}",
+            note=f"tolerances times {part:g}",
         )
 
 
 def chattering():
-    """Contacts amplify differences of 1e-14 s to 3e-4 within 0.1 s, so that solutions
-    are compared then, and the longer run has only to reach its end."""
+    """Contacts amplify differences of rounding to some 1e-4 within 0.1 s, so that
+    solutions are compared then, and the longer run has only to reach its end."""
+    def floor(speed):
+        return {"Boundary conditions/lower bottom/y value": f"{speed:.17g} * sin(100 * t)"}
+
     for end_time, reference in ((0.1, CONDENSED), (0.4, None)):
         yield Case(
             "opening",
@@ -63,11 +71,11 @@ def chattering():
                 end_time,
                 overrides={
                     "Boundary conditions/lower bottom/y condition": "velocity",
-                    "Boundary conditions/lower bottom/y value": "0.3 * sin(100 * t)",
                     "Boundary conditions/lower bottom/Ramp length": "0.05",
-                },
+                } | floor(0.3),
             ),
             reference,
+            disturbed=floor(0.3 * (1 + 1e-14)),
         )
 
 
@@ -89,6 +97,7 @@ def bonds():
 
 
 def tip():
+    part = 0.05
     for inertia in ("dynamic", "quasi-dynamic"):
         yield Case(
             "opening",
@@ -103,11 +112,13 @@ def tip():
                     "Regions/crack/Friction": "rate and state",
                     "Regions/crack/Contact": "unilateral",
                 },
-                {"Time/Inertia": inertia},
+                {"Time/Inertia": inertia}
+                | (tolerances(part) if inertia == "dynamic" else {}),
                 {"top": {"y condition": "traction",
                          "y value": "2e5 * sin(2 * pi * t)", "Ramp length": "0.2"}},
             ),
             CONDENSED,
+            note=f"tolerances times {part:g}" if inertia == "dynamic" else "",
         )
 
 

@@ -28,13 +28,15 @@ UMFPACK = {"TNNMG/Linear correction": "UMFPACK", "TNNMG/Tolerance": "1e-12"}
 @dataclasses.dataclass
 class Case:
     """A scene, and what its result is compared with: the same scene with the
-    entries of `reference` changed, or nothing."""
+    entries of `reference` changed, or nothing. `disturbed`: entries that are changed
+    by as much as rounding does, where the scene amplifies that."""
 
     group: str
     name: str
     scene: dict
     reference: dict | None = None
     reference_name: str = "condensed Newton"
+    disturbed: dict | None = None
     note: str = ""
     timeout: float = 300.0
     # Part of the message with which the program is expected to end, if any.

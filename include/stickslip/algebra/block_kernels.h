@@ -55,20 +55,6 @@ namespace StickSlip
              const Number            *x,
              Number                  *r);
 
-    /**
-     * Block Gauss-Seidel over the rows begin <= i < end in ascending order:
-     * x_i += D_i (b - A x)_i with @p inverse_diagonal D_i, which is zero in
-     * the rows and columns of components that must not change.
-     */
-    template <int n_components, typename Number>
-    void
-    gauss_seidel_forward(const BlockRows<Number> &A,
-                         const Number            *inverse_diagonal,
-                         const unsigned int       begin,
-                         const unsigned int       end,
-                         const Number            *b,
-                         Number                  *x);
-
     /** Add factor times the identity times a number to each of @p n blocks. */
     template <int n_components, typename Number>
     void

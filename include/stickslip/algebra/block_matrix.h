@@ -152,6 +152,13 @@ namespace StickSlip
              const NodeValues<Number> &b,
              const NodeValues<Number> &x) const;
 
+    /** r -= A e for an owned node's @p values in e and zeros elsewhere, where A
+     * is symmetric: ghosts in r get their parts, to be sent to their owners. */
+    void
+    subtract_column(const unsigned int             node,
+                    const Tensor<1, n_components> &values,
+                    NodeValues<Number>            &r) const;
+
     /** The rows begin <= i < end of this matrix become those of a sum of
      * matrices times coefficients; all share one sparsity. */
     void

@@ -87,15 +87,8 @@ namespace StickSlip
     unsigned long
     version() const;
 
-    /** Inverses of the diagonal blocks of A, restricted to the components that
-     * are not fixed; n_components^2 numbers a node, row by row. */
-    const double *
-    inverse_diagonals() const
-    {
-      return inverses.data();
-    }
-
-    /** The block of one row. */
+    /** The inverse of the diagonal block of A in a row, restricted to the
+     * components that are not fixed. */
     Tensor<2, n_components>
     inverse_diagonal(const unsigned int row) const;
 

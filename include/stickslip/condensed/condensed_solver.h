@@ -84,7 +84,7 @@ namespace StickSlip
 
     void
     sweep(const NonsmoothFunctional<n_components> &functional,
-          const NodalVector                       &g,
+          const bool                               is_everywhere,
           NodalVector                             &z,
           NodalVector                             &r) override;
 

@@ -28,6 +28,19 @@ namespace StickSlip
     return values;
   }
 
+  /** Copy the components of some nodes from one vector to another one. */
+  template <int n_components>
+  void
+  copy_blocks(const std::vector<unsigned int> &nodes,
+              const NodalVector               &from,
+              NodalVector                     &to)
+  {
+    for (const unsigned int node : nodes)
+      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
+           ++i)
+        to.local_element(i) = from.local_element(i);
+  }
+
   /** Move @p w to the next point of the domain of phi; nothing is done if phi
    * has no bounds. */
   template <int n_components>

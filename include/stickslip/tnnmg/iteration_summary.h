@@ -25,6 +25,9 @@ namespace StickSlip
      * together. */
     double smoother_step_length = 1;
 
+    /** True if the smoother went over all nodes. */
+    bool sweeps_everywhere = false;
+
     /** Energy norms of the change of the iterate and of the iterate. */
     double correction_norm = 0;
     double iterate_norm    = 0;

@@ -13,6 +13,7 @@
 #include <stickslip/tnnmg/solver_parameters.h>
 
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace StickSlip
@@ -26,7 +27,11 @@ namespace StickSlip
    * definite there and phi a convex functional that is a sum over nodes. J
    * decreases in every iteration, which is
    *
-   *   1. a sweep of nonlinear Gauss-Seidel,
+   *   1. a sweep of nonlinear Gauss-Seidel over the nodes of phi, or over all
+   *      nodes after a slow iteration: one in which the line search has left
+   *      less than half of the correction, since nodes at a kink of phi hold
+   *      back all the others then, or which has changed more than half of what
+   *      the one before it has,
    *   2. truncation of the components at which phi is not smooth enough,
    *   3. a correction for the linearisation on the rest, which may end at
    *      bounds of phi, but not beyond: where it would, it is shortened, and
@@ -60,8 +65,7 @@ namespace StickSlip
 
     /**
      * Announce a sequence of single iterations from @p w with right hand side
-     * @p b, between which the functional may change, and w as well where it has
-     * bounds: it is for the caller to project() it onto the domain. Throws
+     * @p b, between which the functional may change, but for its domain. Throws
      * SingularMatrix.
      */
     virtual void
@@ -113,10 +117,11 @@ namespace StickSlip
                     const NodalVector                       &b,
                     NodalVector                             &w);
 
-    /** Step 1: a sweep, after which @p r = b - A w. */
+    /** Step 1: a sweep that changes @p w at the nonsmooth nodes or everywhere,
+     * and with it @p r = b - A w. */
     virtual void
     sweep(const NonsmoothFunctional<n_components> &functional,
-          const NodalVector                       &b,
+          const bool                               is_everywhere,
           NodalVector                             &w,
           NodalVector                             &r) = 0;
 
@@ -155,11 +160,30 @@ namespace StickSlip
     std::vector<Tensor<2, n_components>> hessians;
     NodeMask                             active;
 
+    /** Forget the iterations so far. */
+    void
+    restart()
+    {
+      is_slow              = false;
+      last_correction_norm = std::numeric_limits<double>::infinity();
+    }
+
     /** The square of the energy norm of the unknowns that iterations leave
      * alone. */
     double square_of_rest = 0;
 
   private:
+    /** True after a slow iteration. */
+    bool   is_slow              = false;
+    double last_correction_norm = std::numeric_limits<double>::infinity();
+
+    /** The nodes that the sweep goes over. */
+    const std::vector<unsigned int> &
+    swept_nodes() const
+    {
+      return is_slow ? all_nodes : unknowns.nonsmooth_nodes;
+    }
+
     /** The linearised problem at an iterate with its new_residual, and what
      * processes agree on: the right hand side, the negative gradient of J
      * between active components, is in force. */
@@ -173,6 +197,12 @@ namespace StickSlip
       bool   is_outdated = false;
     };
 
+    /** The change by the smoother, from previous to @p w, at the swept nodes,
+     * and its products with the residual before it and with A times
+     * itself, of this process. */
+    std::pair<double, double>
+    find_smoothing(const NodalVector &w, NodalVector &change) const;
+
     /** Step 2 at the iterate @p w, for this process. */
     LinearProblem
     truncate(const NonsmoothFunctional<n_components> &functional,
@@ -182,9 +212,9 @@ namespace StickSlip
     LinearProblem
     agreed(LinearProblem here) const;
 
-    /** The squares of the energy norms of the change of the iterate from that
-     * in previous and of the new iterate, which is @p w plus @p t times the
-     * correction, without square_of_rest; of this process. */
+    /** The squares of the energy norms of the change of the iterate by the
+     * smoother and @p t times the correction, and of the new iterate, which is
+     * @p w plus the latter, without square_of_rest; of this process. */
     std::array<double, 2>
     squares_after(const NodalVector &b,
                   const NodalVector &w,
@@ -220,7 +250,10 @@ namespace StickSlip
                    const double                         square) const;
 
     std::vector<Tensor<2, n_components>> diagonal_blocks;
-    NodalVector previous, new_residual, force, correction, A_correction;
+    NodalVector new_residual, force, correction, A_correction;
+    /** The iterate before the sweep, at swept_nodes(). */
+    NodalVector                     previous;
+    const std::vector<unsigned int> all_nodes;
 
     bool with_correction_decrease = false;
   };

@@ -59,7 +59,7 @@ namespace StickSlip
   private:
     void
     sweep(const NonsmoothFunctional<n_components> &functional,
-          const NodalVector                       &b,
+          const bool                               is_everywhere,
           NodalVector                             &w,
           NodalVector                             &r) override;
 
