@@ -144,3 +144,41 @@ TEST(OpeningChattering, WhatFollowsAnImpactIsNotAMatterOfTheSteps)
       EXPECT_GT(largest, 0.);
     }
 }
+
+
+
+TEST(OpeningChattering, WavesAreAnErrorWhereOnlyWeldedSidesTouch)
+{
+  // A crack opens in the middle of a weld: nothing rubs, and waves run through
+  // the bodies.
+  std::vector<double> gaps;
+  for (const auto &[of_faults, of_bodies] :
+       {std::make_pair("1.3e-6", "1e-3"), std::make_pair("1.3e-8", "1e-5")})
+    {
+      Simulation<2> simulation(
+        read_opening_scene<2>(
+          two_bodies,
+          {"Faults/fault/Contact=bilateral",
+           "Faults/fault/Friction=welded",
+           "Faults/fault/Regions/Names=crack",
+           "Faults/fault/Regions/crack/Where=abs(x) < 1",
+           "Faults/fault/Regions/crack/Friction=rate and state",
+           "Faults/fault/Regions/crack/Contact=unilateral",
+           "Boundary conditions/Sides=lower bottom, upper top",
+           "Boundary conditions/upper top/y condition=traction",
+           "Boundary conditions/upper top/y value=2e5 * sin(2 * pi * t)",
+           "Boundary conditions/upper top/Ramp length=0.2",
+           std::string("Time/Tolerance=") + of_faults,
+           std::string("Time/Body tolerance=") + of_bodies,
+           "Time/Smallest step=1e-12",
+           "Time/End time=0.12"}),
+        MPI_COMM_WORLD);
+      n_landings(simulation);
+      const std::vector<double> &gap = simulation.state().gap;
+      gaps.push_back(*std::max_element(gap.begin(), gap.end()));
+      std::cout << gaps.back() << " m after " << simulation.counts().accepted
+                << " steps\n";
+    }
+  EXPECT_GT(gaps[1], 1e-3);
+  EXPECT_NEAR(gaps[0], gaps[1], 2e-3 * gaps[1]);
+}

@@ -241,12 +241,9 @@ namespace StickSlip
   StepHistory<dim, n_components>::velocity_scale(
     const PastState<dim> &now) const
   {
-    if (may_open() && std::none_of(now.in_contact.begin(),
-                                   now.in_contact.end(),
-                                   [](const bool touches) { return touches; }))
-      return mean_speed(now);
     double                           least = std::numeric_limits<double>::max();
     const std::vector<unsigned int> &first = faults.first_of_fault();
+    bool                             touches = false, has_rate_laws = false;
     for (unsigned int f = 0; f + 1 < first.size(); ++f)
       {
         double sum = 0., area = 0.;
@@ -254,9 +251,11 @@ namespace StickSlip
           {
             const FaultLaw &law    = laws[k];
             const double    weight = faults.weights()[k];
+            touches                = touches || now.in_contact[k];
             if (!faults.in_contact(k) || law.is_prescribed ||
                 !(law.shear_impedance > 0.))
               continue;
+            has_rate_laws = has_rate_laws || law.friction->rate_scale() > 0.;
             sum += weight * law.friction->rate_scale() * now.normal_stress[k] /
                    law.shear_impedance;
             area += weight;
@@ -265,6 +264,9 @@ namespace StickSlip
           least =
             std::min(least, std::max(sum / area, largest_slip_rate(now, f)));
       }
+    if (least == std::numeric_limits<double>::max() && may_open() &&
+        (has_rate_laws || !touches))
+      return mean_speed(now);
     return least;
   }
 

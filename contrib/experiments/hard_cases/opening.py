@@ -35,7 +35,8 @@ def opening(end_time, fault=None, overrides=None, upper=None):
 def tolerances(part):
     """Entries for these parts of the default tolerances of steps."""
     return {"Time/Tolerance": f"{part * 1.3e-6:g}",
-            "Time/Body tolerance": f"{part * 1e-3:g}"}
+            "Time/Body tolerance": f"{part * 1e-3:g}",
+            "Time/Smallest step": "1e-12"}
 
 
 def impact():
@@ -97,7 +98,7 @@ def bonds():
 
 
 def tip():
-    part = 0.05
+    part = 0.02
     for inertia in ("dynamic", "quasi-dynamic"):
         yield Case(
             "opening",

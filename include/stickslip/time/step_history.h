@@ -141,9 +141,9 @@ namespace StickSlip
 
     /** The velocity at which shear waves carry max(a, b) times the normal
      * stress, or the largest slip rate of the fault if that is more; the least
-     * of all faults, m/s; the largest number if no fault has a law of that kind
-     * and a normal stress. Where sides may open and none touch, there is no
-     * strength: mean_speed(). Collective. */
+     * of all faults, m/s; the largest number if no fault has a law of that
+     * kind. Where sides may open, and none or none of that kind touch, there is
+     * no strength: mean_speed(). Collective. */
     double
     velocity_scale(const PastState<dim> &now) const;
 
