@@ -30,13 +30,16 @@ namespace Measure
       , faults(hierarchy.finest().nonsmooth_nodes)
       , solver(hierarchy, scene.tnnmg)
     {
-      const double tau = scene.time.initial_step;
-      combine_time     = seconds(
+      const double tau          = scene.time.initial_step;
+      const double bytes_before = allocated_bytes();
+      combine_time              = seconds(
         [&]() { problem.combine(Newmark<dim>().operator_coefficients(tau)); });
       active = hierarchy.finest().fixed;
       for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
         active.mask_node(p);
+      // Levels are made here first.
       linearise_time = seconds([&]() { freeze(); });
+      level_bytes    = allocated_bytes() - bytes_before;
       set_rhs(tau);
     }
 
@@ -137,7 +140,7 @@ namespace Measure
       method.assembly_s       = coupled.problem_time;
       method.preconditioner_s = combine_time + linearise_time;
       method.mesh_bytes       = coupled.mesh_bytes;
-      method.bytes            = coupled.problem_bytes;
+      method.bytes            = coupled.problem_bytes + level_bytes;
       method.error            = [this]() {
         // The last solve was another one's.
         const NodalVector solution = w;
@@ -190,7 +193,7 @@ namespace Measure
     TNNMGSolver<dim>            solver;
     NodeMask                    active;
     NodalVector                 rhs, w, reference_solution;
-    double                      combine_time = 0, linearise_time = 0;
+    double combine_time = 0, linearise_time = 0, level_bytes = 0;
   };
 } // namespace Measure
 

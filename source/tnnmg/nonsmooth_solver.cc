@@ -111,6 +111,11 @@ namespace StickSlip
     const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
     const MPI_Comm                   communicator = w.get_mpi_communicator();
     IterationSummary                 summary;
+    // The cache of one process holds the matrix of so few nodes: sweeps over
+    // all of them cost little, and all iterations count as slow.
+    constexpr types::global_dof_index few_nodes = 5000;
+    const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
+    is_slow = is_slow || (!is_shared && unknowns.nodes.n_global() < few_nodes);
     copy_blocks<n_components>(swept_nodes(), w, previous);
     new_residual = residual;
     if (parameters.nonlinear_smoothing)
@@ -123,8 +128,7 @@ namespace StickSlip
     LinearProblem problem                    = truncate(functional, w);
     NodalVector  &change                     = correction;
     const auto [downwards_here, square_here] = find_smoothing(w, change);
-    const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
-    const auto smoother_slope = [&](const double s) {
+    const auto smoother_slope                = [&](const double s) {
       return is_shared ? slope_of(functional, nodes, previous, change, s) : 0.;
     };
     const auto [downwards,
