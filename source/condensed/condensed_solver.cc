@@ -230,25 +230,23 @@ namespace StickSlip
     std::vector<double> rest = entries_of(r);
     for (unsigned int k = 0; k < entries.of_node.size(); ++k)
       {
-        // Moving the part of this node to the left leaves what the minimiser
-        // is asked for.
-        const Tensor<2, n_components>  block_of_S = diagonal_block(k);
-        const Tensor<1, n_components>  start      = block<n_components>(z, k);
-        Tensor<1, n_components>        load_of_node;
+        const Tensor<1, n_components>  start = block<n_components>(z, k);
+        Tensor<1, n_components>        residual_of_node;
         std::array<bool, n_components> takes_part;
         for (unsigned int c = 0; c < n_components; ++c)
           {
             const unsigned int i = entries.of_node[k][c];
             takes_part[c]        = (i != numbers::invalid_unsigned_int);
-            if (!takes_part[c])
-              continue;
-            load_of_node[c] = rest[i];
-            for (unsigned int d = 0; d < n_components; ++d)
-              if (entries.of_node[k][d] != numbers::invalid_unsigned_int)
-                load_of_node[c] += block_of_S[c][d] * start[d];
+            if (takes_part[c])
+              residual_of_node[c] = rest[i];
           }
         const Tensor<1, n_components> v =
-          functional.minimise(k, block_of_S, load_of_node, takes_part, start);
+          minimiser_at<n_components>(functional,
+                                     k,
+                                     diagonal_block(k),
+                                     residual_of_node,
+                                     takes_part,
+                                     start);
         for (unsigned int c = 0; c < n_components; ++c)
           if (takes_part[c] && v[c] != start[c])
             {

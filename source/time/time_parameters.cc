@@ -62,9 +62,9 @@ namespace StickSlip
       "waves, over the larger one of a and b times the normal stress (of the "
       "fault where these are least): what the error of waves brings to the "
       "faults; over the mean speed of the bodies where sides may open and none "
-      "of that friction touch. Its square root is the longest step in which sides meet, or have "
-      "just met or parted, over the time that shear waves take through half a "
-      "cell at the fault. Used only with 'Inertia = dynamic', after three "
+      "of that friction touch. Its square root is the longest step in which "
+      "sides meet, or have just met or parted, over the time that shear waves "
+      "take through half a cell at the fault. Used only with 'Inertia = dynamic', after three "
       "steps, and where friction is rate and state.");
     add_number(prm,
                "Impact tolerance",

@@ -6,42 +6,6 @@
 
 namespace StickSlip
 {
-  namespace
-  {
-    /** The point at which the k-th term of the functional and the rest of the
-     * energy are minimal at its node, between the active components. */
-    template <int n_components>
-    Tensor<1, n_components>
-    minimiser_at_term(const OperatorSum<n_components>         &operators,
-                      const NonsmoothFunctional<n_components> &functional,
-                      const unsigned int                       k,
-                      const NodalVector                       &w,
-                      const NodalVector                       &r)
-    {
-      const unsigned int            i = functional.nodes()[k];
-      const Tensor<2, n_components> A = operators.matrix().diagonal_block(i);
-      const Tensor<1, n_components> start = block<n_components>(w, i);
-      // Moving the part of the active components of this node to the left
-      // leaves what the minimiser is asked for.
-      Tensor<1, n_components>        load = block<n_components>(r, i);
-      std::array<bool, n_components> active;
-      for (unsigned int c = 0; c < n_components; ++c)
-        active[c] = operators.unknowns().fixed.is_active(i, c);
-      for (unsigned int c = 0; c < n_components; ++c)
-        for (unsigned int d = 0; d < n_components; ++d)
-          if (active[d])
-            load[c] += A[c][d] * start[d];
-      Tensor<1, n_components> v =
-        functional.minimise(k, A, load, active, start);
-      for (unsigned int c = 0; c < n_components; ++c)
-        if (!active[c])
-          v[c] = start[c];
-      return v;
-    }
-  } // namespace
-
-
-
   template <int n_components>
   void
   nonlinear_gauss_seidel(const OperatorSum<n_components>         &operators,
@@ -51,26 +15,42 @@ namespace StickSlip
                          NodalVector                             &r)
   {
     const std::vector<unsigned int> &nodes = functional.nodes();
+    const BlockMatrix<n_components> &A     = operators.matrix();
     const auto                       move_to = [&](const unsigned int             i,
                              const Tensor<1, n_components> &v) {
-      operators.matrix().subtract_column(i, v - block<n_components>(w, i), r);
+      A.subtract_column(i, v - block<n_components>(w, i), r);
       for (unsigned int c = 0; c < n_components; ++c)
         w.local_element(i * n_components + c) = v[c];
+    };
+    const auto minimise = [&](const unsigned int k) {
+      const unsigned int             i = nodes[k];
+      std::array<bool, n_components> active;
+      for (unsigned int c = 0; c < n_components; ++c)
+        active[c] = operators.unknowns().fixed.is_active(i, c);
+      move_to(i,
+              minimiser_at<n_components>(functional,
+                                         k,
+                                         A.diagonal_block(i),
+                                         block<n_components>(r, i),
+                                         active,
+                                         block<n_components>(w, i)));
+    };
+    const auto relax = [&](const unsigned int i) {
+      move_to(i,
+              block<n_components>(w, i) +
+                operators.inverse_diagonal(i) * block<n_components>(r, i));
     };
 
     r.zero_out_ghost_values();
     unsigned int next = 0;
     for (unsigned int k = 0; k <= nodes.size(); ++k)
       {
-        const unsigned int end =
-          k < nodes.size() ? nodes[k] : operators.matrix().n_rows();
+        const unsigned int end = k < nodes.size() ? nodes[k] : A.n_rows();
         if (is_everywhere)
           for (unsigned int i = next; i < end; ++i)
-            move_to(i,
-                    block<n_components>(w, i) + operators.inverse_diagonal(i) *
-                                                  block<n_components>(r, i));
+            relax(i);
         if (k < nodes.size())
-          move_to(end, minimiser_at_term(operators, functional, k, w, r));
+          minimise(k);
         next = end + 1;
       }
     add_ghosts_to_owners(r);

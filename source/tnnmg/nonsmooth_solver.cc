@@ -112,15 +112,16 @@ namespace StickSlip
     const MPI_Comm                   communicator = w.get_mpi_communicator();
     IterationSummary                 summary;
     // The cache of one process holds the matrix of so few nodes: sweeps over
-    // all of them cost little, and all iterations count as slow.
+    // all of them cost little.
     constexpr types::global_dof_index few_nodes = 5000;
     const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
-    is_slow = is_slow || (!is_shared && unknowns.nodes.n_global() < few_nodes);
+    sweeps_everywhere =
+      last_was_slow || (!is_shared && unknowns.nodes.n_global() < few_nodes);
     copy_blocks<n_components>(swept_nodes(), w, previous);
     new_residual = residual;
     if (parameters.nonlinear_smoothing)
-      sweep(functional, is_slow, w, new_residual);
-    summary.sweeps_everywhere = is_slow;
+      sweep(functional, sweeps_everywhere, w, new_residual);
+    summary.sweeps_everywhere = sweeps_everywhere;
 
     // The quadratic part of J changes by -d . r + d . A d / 2 over a change d
     // of w, where r = b - A w, and A d is the change of -r. In one message with
@@ -207,7 +208,8 @@ namespace StickSlip
       }
     summary.correction_norm = std::sqrt(std::abs(change_of_all));
     summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
-    is_slow = t < 0.5 || summary.correction_norm > 0.5 * last_correction_norm;
+    last_was_slow =
+      t < 0.5 || summary.correction_norm > 0.5 * last_correction_norm;
     last_correction_norm = summary.correction_norm;
 
     // The condition is not only for speed: zero times NaN would spoil the
@@ -241,17 +243,13 @@ namespace StickSlip
                                                 NodalVector       &change) const
   {
     double downwards = 0., square = 0.;
-    for (const unsigned int node : swept_nodes())
-      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
-           ++i)
-        {
-          const double its_change =
-            w.local_element(i) - previous.local_element(i);
-          change.local_element(i) = its_change;
-          downwards += its_change * residual.local_element(i);
-          square += its_change *
-                    (residual.local_element(i) - new_residual.local_element(i));
-        }
+    for_each_entry<n_components>(swept_nodes(), [&](const unsigned int i) {
+      const double its_change = w.local_element(i) - previous.local_element(i);
+      change.local_element(i) = its_change;
+      downwards += its_change * residual.local_element(i);
+      square += its_change *
+                (residual.local_element(i) - new_residual.local_element(i));
+    });
     return {downwards, square};
   }
 
@@ -396,11 +394,10 @@ namespace StickSlip
         result[0] += step * (residual.local_element(i) - r);
         result[1] += (w.local_element(i) + step) * (b.local_element(i) - r);
       }
-    for (const unsigned int node : swept_nodes())
-      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
-           ++i)
-        result[0] += (w.local_element(i) - previous.local_element(i)) *
-                     (residual.local_element(i) - r_after(i));
+    for_each_entry<n_components>(swept_nodes(), [&](const unsigned int i) {
+      result[0] += (w.local_element(i) - previous.local_element(i)) *
+                   (residual.local_element(i) - r_after(i));
+    });
     return result;
   }
 
@@ -430,11 +427,10 @@ namespace StickSlip
         square)
         .step_length;
     summary.smoother_step_length = t;
-    for (const unsigned int node : swept_nodes())
-      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
-           ++i)
-        w.local_element(i) =
-          previous.local_element(i) + t * change.local_element(i);
+    for_each_entry<n_components>(swept_nodes(), [&](const unsigned int i) {
+      w.local_element(i) =
+        previous.local_element(i) + t * change.local_element(i);
+    });
     project(functional, nodes, w);
     new_residual.sadd(t, 1. - t, residual);
     summary.smoother_decrease =

@@ -9,6 +9,8 @@
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 #include <stickslip/tnnmg/solver_parameters.h>
 
+#include <array>
+
 namespace StickSlip
 {
   /*
@@ -28,6 +30,18 @@ namespace StickSlip
     return values;
   }
 
+  /** Carry out @p action for the local indices of all components of some
+   * nodes. */
+  template <int n_components, typename Action>
+  inline void
+  for_each_entry(const std::vector<unsigned int> &nodes, const Action &action)
+  {
+    for (const unsigned int node : nodes)
+      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
+           ++i)
+        action(i);
+  }
+
   /** Copy the components of some nodes from one vector to another one. */
   template <int n_components>
   void
@@ -35,10 +49,32 @@ namespace StickSlip
               const NodalVector               &from,
               NodalVector                     &to)
   {
-    for (const unsigned int node : nodes)
-      for (unsigned int i = node * n_components; i < (node + 1) * n_components;
-           ++i)
-        to.local_element(i) = from.local_element(i);
+    for_each_entry<n_components>(nodes, [&](const unsigned int i) {
+      to.local_element(i) = from.local_element(i);
+    });
+  }
+
+  /** The point at which the k-th term of phi and the rest of J, which has the
+   * diagonal block @p A and the negative gradient @p residual at the node, are
+   * minimal over its @p active components; the others keep their values of
+   * @p start. */
+  template <int n_components>
+  inline Tensor<1, n_components>
+  minimiser_at(const NonsmoothFunctional<n_components> &functional,
+               const unsigned int                       k,
+               const Tensor<2, n_components>           &A,
+               const Tensor<1, n_components>           &residual,
+               const std::array<bool, n_components>    &active,
+               const Tensor<1, n_components>           &start)
+  {
+    // Moving the part of the active components of this node to the left leaves
+    // what the minimiser is asked for.
+    Tensor<1, n_components> load = residual;
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
+        if (active[c] && active[d])
+          load[c] += A[c][d] * start[d];
+    return functional.minimise(k, A, load, active, start);
   }
 
   /** Move @p w to the next point of the domain of phi; nothing is done if phi

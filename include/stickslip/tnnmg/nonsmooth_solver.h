@@ -28,7 +28,8 @@ namespace StickSlip
    * decreases in every iteration, which is
    *
    *   1. a sweep of nonlinear Gauss-Seidel over the nodes of phi, or over all
-   *      nodes after a slow iteration: one in which the line search has left
+   *      nodes of a small mesh on one process, and after a slow iteration: one
+   *      in which the line search has left
    *      less than half of the correction, since nodes at a kink of phi hold
    *      back all the others then, or which has changed more than half of what
    *      the one before it has,
@@ -164,7 +165,7 @@ namespace StickSlip
     void
     restart()
     {
-      is_slow              = false;
+      last_was_slow        = false;
       last_correction_norm = std::numeric_limits<double>::infinity();
     }
 
@@ -173,15 +174,16 @@ namespace StickSlip
     double square_of_rest = 0;
 
   private:
-    /** True after a slow iteration. */
-    bool   is_slow              = false;
+    /** Of the iteration before, and of the current one. */
+    bool   last_was_slow        = false;
+    bool   sweeps_everywhere    = false;
     double last_correction_norm = std::numeric_limits<double>::infinity();
 
     /** The nodes that the sweep goes over. */
     const std::vector<unsigned int> &
     swept_nodes() const
     {
-      return is_slow ? all_nodes : unknowns.nonsmooth_nodes;
+      return sweeps_everywhere ? all_nodes : unknowns.nonsmooth_nodes;
     }
 
     /** The linearised problem at an iterate with its new_residual, and what
