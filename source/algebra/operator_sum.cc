@@ -15,9 +15,7 @@ namespace StickSlip
     : unknowns_of_problem(unknowns)
     , summands(std::move(terms))
     , A(summands.at(0).shared_sparsity())
-  {
-    inverses.resize(std::size_t(A.n_rows()) * n_components * n_components);
-  }
+  {}
 
 
 
@@ -31,24 +29,11 @@ namespace StickSlip
       return;
     current_coefficients = coefficients;
     versions.emplace(coefficients, versions.size() + 1);
-    // Few rows at a time, so that their diagonals are read from the cache.
+    // Few rows at a time, so that all terms are added to them in the cache.
     constexpr unsigned int n_rows = 128;
     for (unsigned int begin = 0; begin < A.n_rows(); begin += n_rows)
-      {
-        const unsigned int end = std::min(begin + n_rows, A.n_rows());
-        TermMatrix<n_components>::combine(
-          coefficients, summands, begin, end, A);
-        for (unsigned int i = begin; i < end; ++i)
-          {
-            const Tensor<2, n_components> inverse =
-              invert_active(A.diagonal_block(i), unknowns().fixed, i);
-            double *target =
-              &inverses[std::size_t(i) * n_components * n_components];
-            for (unsigned int c = 0; c < n_components; ++c)
-              for (unsigned int d = 0; d < n_components; ++d)
-                target[c * n_components + d] = inverse[c][d];
-          }
-      }
+      TermMatrix<n_components>::combine(
+        coefficients, summands, begin, std::min(begin + n_rows, A.n_rows()), A);
   }
 
 
@@ -57,13 +42,7 @@ namespace StickSlip
   Tensor<2, n_components>
   OperatorSum<n_components>::inverse_diagonal(const unsigned int row) const
   {
-    const double *values =
-      &inverses[std::size_t(row) * n_components * n_components];
-    Tensor<2, n_components> result;
-    for (unsigned int c = 0; c < n_components; ++c)
-      for (unsigned int d = 0; d < n_components; ++d)
-        result[c][d] = values[c * n_components + d];
-    return result;
+    return invert_active(A.diagonal_block(row), unknowns().fixed, row);
   }
 
 
@@ -133,9 +112,8 @@ namespace StickSlip
   std::size_t
   OperatorSum<n_components>::memory_consumption() const
   {
-    std::size_t bytes = A.memory_consumption() +
-                        A.sparsity().memory_consumption() +
-                        sizeof(double) * inverses.size();
+    std::size_t bytes =
+      A.memory_consumption() + A.sparsity().memory_consumption();
     for (const TermMatrix<n_components> &term : summands)
       bytes += term.memory_consumption();
     return bytes;

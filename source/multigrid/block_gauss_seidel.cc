@@ -187,7 +187,14 @@ namespace StickSlip
         patch_factors.touch(i);
       }
     else
-      set_inverse_diagonal(i, invert_active(block, active, i));
+      {
+        const Tensor<2, n_components> inverse = invert_active(block, active, i);
+        Number                       *target  = inverse_diagonal.data() +
+                         std::size_t(i) * n_components * n_components;
+        for (unsigned int c = 0; c < n_components; ++c)
+          for (unsigned int d = 0; d < n_components; ++d)
+            target[Kernels::sweep_position<n_components>(c, d)] = inverse[c][d];
+      }
   }
 
 
@@ -248,21 +255,6 @@ namespace StickSlip
                 entries[k * n + m] = entries[m * n + k] = value;
               }
         }
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::set_inverse_diagonal(
-    const unsigned int             i,
-    const Tensor<2, n_components> &inverse)
-  {
-    Number *target =
-      inverse_diagonal.data() + std::size_t(i) * n_components * n_components;
-    for (unsigned int c = 0; c < n_components; ++c)
-      for (unsigned int d = 0; d < n_components; ++d)
-        target[Kernels::sweep_position<n_components>(c, d)] = inverse[c][d];
   }
 
 

@@ -178,12 +178,9 @@ namespace StickSlip
     for (unsigned int i = 0; i < A.matrix().n_rows(); ++i)
       {
         finest.set_row(i, A.matrix());
-        if (finest.has_lines() || finest.has_patches())
-          finest.set_diagonal(i,
-                              A.matrix().diagonal_block(i),
-                              descriptions.back().fixed);
-        else
-          finest.set_inverse_diagonal(i, A.inverse_diagonal(i));
+        finest.set_diagonal(i,
+                            A.matrix().diagonal_block(i),
+                            descriptions.back().fixed);
       }
   }
 

@@ -114,7 +114,6 @@ namespace StickSlip
     const Unknowns                              unknowns_of_problem;
     const std::vector<TermMatrix<n_components>> summands;
     BlockMatrix<n_components>                   A;
-    AlignedVector<double>                       inverses;
     std::vector<double>                         current_coefficients;
     /** Numbers of the operators so far, by their coefficients. */
     std::map<std::vector<double>, unsigned long> versions;

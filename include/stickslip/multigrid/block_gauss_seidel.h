@@ -71,12 +71,6 @@ namespace StickSlip
                  const Tensor<2, n_components> &block,
                  const NodeMask                &active);
 
-    /** Set it by the inverse of its active part; neither with lines nor with
-     * patches. */
-    void
-    set_inverse_diagonal(const unsigned int             i,
-                         const Tensor<2, n_components> &inverse);
-
     /** x after a forward sweep from zero, and the residual r = b - A x, not
      * masked. The first of these is without communication, the second fetches
      * the ghosts of x. */
