@@ -68,7 +68,8 @@ class Kernels:
             f"alone {page.number(bandwidth['read']['GB_per_s'], 3)} GB/s. With d "
             "components a node, e blocks in a row and numbers of s bytes, a "
             "product moves e (d² s + 4) + 4 + 2 d s bytes for a node; what a write "
-            "reads first does not count, as in the triad. The bound is these bytes over the triad's bandwidth.\n\n"
+            "reads first does not count, as in the triad. The bound is these bytes "
+            "over the triad's bandwidth.\n\n"
             + page.table(
                 (
                     "dimension",

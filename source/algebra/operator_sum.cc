@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/algebra/masked_entries.h>
 #include <stickslip/algebra/operator_sum.h>
 
 #include <algorithm>
@@ -34,15 +33,6 @@ namespace StickSlip
     for (unsigned int begin = 0; begin < A.n_rows(); begin += n_rows)
       TermMatrix<n_components>::combine(
         coefficients, summands, begin, std::min(begin + n_rows, A.n_rows()), A);
-  }
-
-
-
-  template <int n_components>
-  Tensor<2, n_components>
-  OperatorSum<n_components>::inverse_diagonal(const unsigned int row) const
-  {
-    return invert_active(A.diagonal_block(row), unknowns().fixed, row);
   }
 
 

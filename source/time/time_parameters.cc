@@ -64,8 +64,8 @@ namespace StickSlip
       "faults; over the mean speed of the bodies where sides may open and none "
       "of that friction touch. Its square root is the longest step in which "
       "sides meet, or have just met or parted, over the time that shear waves "
-      "take through half a cell at the fault. Used only with 'Inertia = dynamic', after three "
-      "steps, and where friction is rate and state.");
+      "take through half a cell at the fault. Used only with 'Inertia = "
+      "dynamic', after three steps, and where friction is rate and state.");
     add_number(prm,
                "Impact tolerance",
                impact_tolerance,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/algebra/masked_entries.h>
 #include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/nonlinear_gauss_seidel.h>
 
@@ -16,6 +17,7 @@ namespace StickSlip
   {
     const std::vector<unsigned int> &nodes = functional.nodes();
     const BlockMatrix<n_components> &A     = operators.matrix();
+    const NodeMask                  &fixed = operators.unknowns().fixed;
     const auto                       move_to = [&](const unsigned int             i,
                              const Tensor<1, n_components> &v) {
       A.subtract_column(i, v - block<n_components>(w, i), r);
@@ -26,7 +28,7 @@ namespace StickSlip
       const unsigned int             i = nodes[k];
       std::array<bool, n_components> active;
       for (unsigned int c = 0; c < n_components; ++c)
-        active[c] = operators.unknowns().fixed.is_active(i, c);
+        active[c] = fixed.is_active(i, c);
       move_to(i,
               minimiser_at<n_components>(functional,
                                          k,
@@ -38,7 +40,8 @@ namespace StickSlip
     const auto relax = [&](const unsigned int i) {
       move_to(i,
               block<n_components>(w, i) +
-                operators.inverse_diagonal(i) * block<n_components>(r, i));
+                invert_active(A.diagonal_block(i), fixed, i) *
+                  block<n_components>(r, i));
     };
 
     r.zero_out_ghost_values();

@@ -87,11 +87,6 @@ namespace StickSlip
     unsigned long
     version() const;
 
-    /** The inverse of the diagonal block of A in a row, restricted to the
-     * components that are not fixed. */
-    Tensor<2, n_components>
-    inverse_diagonal(const unsigned int row) const;
-
     /** Carry out @p action on A + H, where H has a block for each nonsmooth
      * node. A is as before afterwards, whether or not @p action throws. */
     void

@@ -29,10 +29,9 @@ namespace StickSlip
    *
    *   1. a sweep of nonlinear Gauss-Seidel over the nodes of phi, or over all
    *      nodes of a small mesh on one process, and after a slow iteration: one
-   *      in which the line search has left
-   *      less than half of the correction, since nodes at a kink of phi hold
-   *      back all the others then, or which has changed more than half of what
-   *      the one before it has,
+   *      in which the line search has left less than half of the correction,
+   *      since nodes at a kink of phi hold back all the others then, or which
+   *      has changed more than half of what the one before it has,
    *   2. truncation of the components at which phi is not smooth enough,
    *   3. a correction for the linearisation on the rest, which may end at
    *      bounds of phi, but not beyond: where it would, it is shortened, and
@@ -174,8 +173,9 @@ namespace StickSlip
     double square_of_rest = 0;
 
   private:
-    /** Of the iteration before, and of the current one. */
-    bool   last_was_slow        = false;
+    /** True after a slow iteration. */
+    bool last_was_slow = false;
+    /** True if the sweep of the current iteration goes over all nodes. */
     bool   sweeps_everywhere    = false;
     double last_correction_norm = std::numeric_limits<double>::infinity();
 
