@@ -160,7 +160,7 @@ namespace
               body.refined_cells.insert(cell->id());
       }
     auto mesh =
-      std::make_unique<const BodyMesh<dim>>(body,
+      std::make_shared<const BodyMesh<dim>>(body,
                                             std::set<types::boundary_id>());
     while (true)
       {
@@ -168,7 +168,7 @@ namespace
         expect_endless_sides(*mesh, BodyMesh<dim>::upper_side);
         if (!mesh->can_be_coarsened())
           break;
-        mesh = std::make_unique<const BodyMesh<dim>>(*mesh);
+        mesh = BodyMesh<dim>::coarsened(*mesh);
       }
   }
 } // namespace

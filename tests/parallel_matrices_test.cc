@@ -68,6 +68,18 @@ namespace
 
 
   template <int dim>
+  BodyGeometry<dim>
+  uniform(const std::array<unsigned int, dim> &coarse_cells,
+          const unsigned int                   refinements)
+  {
+    BodyGeometry<dim> body   = make_body<dim>(1., coarse_cells, 0);
+    body.uniform_refinements = refinements;
+    return body;
+  }
+
+
+
+  template <int dim>
   void
   expect_equal_problems(const std::vector<BodyGeometry<dim>> &bodies,
                         const unsigned int min_nodes_per_process)
@@ -116,6 +128,19 @@ TEST(ParallelMatrices, EqualThoseOfOneProcessInTwoDimensions)
       expect_equal_problems<2>(layered_bodies(), min_nodes_per_process);
       expect_equal_problems<2>(nonmatching_bodies(), min_nodes_per_process);
     }
+}
+
+
+
+/** Cells of one size, which no process has all of if few are divided. */
+TEST(ParallelMatrices, OfSharesInUniformMeshesEqualThoseOfOneProcess)
+{
+  expect_equal_problems<2>(
+    stack<2>({uniform<2>({{5, 1}}, 4), make_body<2>(0.3, {{55, 3}}, 1)}), 1);
+  expect_equal_problems<2>(
+    stack<2>({uniform<2>({{5, 1}}, 4), uniform<2>({{7, 1}}, 3)}), 1);
+  expect_equal_problems<3>(
+    stack<3>({uniform<3>({{2, 2, 1}}, 2), uniform<3>({{3, 3, 1}}, 2)}), 1);
 }
 
 

@@ -37,38 +37,135 @@ namespace
 
 
 
+namespace
+{
+  /** Cells of one size, of which no process makes more than it needs. */
+  std::vector<BodyGeometry<2>>
+  uniform_bodies()
+  {
+    std::vector<BodyGeometry<2>> bodies = graded_bodies();
+    for (BodyGeometry<2> &body : bodies)
+      {
+        body.coarse_cells        = {{5, 3}};
+        body.uniform_refinements = 4;
+        body.refinement_passes   = 0;
+      }
+    return bodies;
+  }
+
+
+
+  void
+  expect_cells_of_whole(const MeshHierarchy<2> &meshes)
+  {
+    for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+      {
+        const MeshLevel<2> &level  = meshes.level(l);
+        double              area   = 0.;
+        unsigned int        n_kept = 0, n_owned = 0;
+        for (unsigned int b = 0; b < level.bodies.size(); ++b)
+          {
+            const DoFHandler<2> &dofs = level.bodies[b]->dof_handler();
+            for (const auto &cell : dofs.active_cell_iterators())
+              {
+                ++n_kept;
+                types::global_dof_index least = numbers::invalid_dof_index;
+                for (const auto v : cell->vertex_indices())
+                  for (const auto &node :
+                       level.resolve(b, cell->vertex_dof_index(v, 0)))
+                    least = std::min(least, node.first);
+                if (level.nodes.owned().is_element(least))
+                  area += cell->measure();
+              }
+            // Hanging nodes too.
+            for (unsigned int dof = 0; dof < dofs.n_dofs(); ++dof)
+              n_owned +=
+                level.nodes.owned().is_element(level.global_node(b, dof));
+          }
+        EXPECT_NEAR(Utilities::MPI::sum(area, MPI_COMM_WORLD), 4., 1e-12);
+        EXPECT_EQ(n_owned, level.nodes.n_owned());
+        if (n_processes() > 1 && l + 1 == meshes.n_levels())
+          {
+            EXPECT_LT(n_kept, 0.8 * level.n_cells());
+          }
+      }
+  }
+
+
+
+  /** Nodes by their numbers on one process, prolongations between them, and
+   * what every process knows of faults. */
+  template <int dim>
+  void
+  expect_same_meshes(const MeshHierarchy<dim> &shared,
+                     const MeshHierarchy<dim> &alone)
+  {
+    ASSERT_EQ(shared.n_levels(), alone.n_levels());
+    std::vector<types::global_dof_index> coarser;
+    for (unsigned int l = 0; l < shared.n_levels(); ++l)
+      {
+        const MeshLevel<dim> &ours = shared.level(l), &one = alone.level(l);
+        ASSERT_EQ(ours.n_nodes(), one.n_nodes());
+        ASSERT_EQ(ours.n_cells(), one.n_cells());
+        EXPECT_EQ(ours.checksum(), one.checksum());
+        const std::vector<types::global_dof_index> numbers =
+          numbers_on_one(ours);
+        for (unsigned int f = 0; f < shared.topology().faults().size(); ++f)
+          for (const unsigned int side : {0, 1})
+            {
+              const auto &here  = ours.surface(f, side),
+                         &there = one.surface(f, side);
+              ASSERT_EQ(here.nodes.size(), there.nodes.size());
+              ASSERT_EQ(here.faces, there.faces);
+              for (unsigned int k = 0; k < here.nodes.size(); ++k)
+                {
+                  EXPECT_EQ(numbers[here.nodes[k]], there.nodes[k]);
+                  EXPECT_EQ(here.points[k], there.points[k]);
+                }
+            }
+        EXPECT_EQ(ours.strip().n_elements(), one.strip().n_elements());
+        for (const types::global_dof_index node : ours.strip())
+          EXPECT_TRUE(one.strip().is_element(numbers[node]));
+        if (l > 0)
+          for (const types::global_dof_index node : ours.nodes.owned())
+            {
+              GlobalRow row   = shared.prolongation(l).row(node);
+              GlobalRow whole = alone.prolongation(l).row(numbers[node]);
+              for (auto &entry : row)
+                entry.first = coarser[entry.first];
+              std::sort(row.begin(), row.end());
+              std::sort(whole.begin(), whole.end());
+              EXPECT_EQ(row, whole);
+            }
+        coarser = numbers;
+      }
+  }
+} // namespace
+
+
+
 TEST(ParallelMeshes, CellsOfAllProcessesAreTheWhole)
 {
-  const MeshHierarchy<2> meshes(graded_bodies(), MPI_COMM_WORLD);
-  for (unsigned int l = 0; l < meshes.n_levels(); ++l)
+  expect_cells_of_whole({graded_bodies(), MPI_COMM_WORLD});
+  expect_cells_of_whole({uniform_bodies(), MPI_COMM_WORLD, 1});
+}
+
+
+
+TEST(ParallelMeshes, EqualThoseOfOneProcess)
+{
+  for (const auto &bodies : {graded_bodies(), uniform_bodies()})
+    for (const unsigned int min_nodes_per_process : {1, 500})
+      expect_same_meshes<2>({bodies, MPI_COMM_WORLD, min_nodes_per_process},
+                            {bodies, MPI_COMM_SELF});
+
+  std::vector<BodyGeometry<3>> blocks(2);
+  for (unsigned int b = 0; b < 2; ++b)
     {
-      const MeshLevel<2> &level  = meshes.level(l);
-      double              area   = 0.;
-      unsigned int        n_kept = 0, n_owned = 0;
-      for (unsigned int b = 0; b < level.bodies.size(); ++b)
-        {
-          const DoFHandler<2> &dofs = level.bodies[b]->dof_handler();
-          for (const auto &cell : dofs.active_cell_iterators())
-            {
-              ++n_kept;
-              types::global_dof_index least = numbers::invalid_dof_index;
-              for (const auto v : cell->vertex_indices())
-                for (const auto &node :
-                     level.resolve(b, cell->vertex_dof_index(v, 0)))
-                  least = std::min(least, node.first);
-              if (level.nodes.owned().is_element(least))
-                area += cell->measure();
-            }
-          // Hanging nodes too.
-          for (unsigned int dof = 0; dof < dofs.n_dofs(); ++dof)
-            n_owned +=
-              level.nodes.owned().is_element(level.global_node(b, dof));
-        }
-      EXPECT_NEAR(Utilities::MPI::sum(area, MPI_COMM_WORLD), 4., 1e-12);
-      EXPECT_EQ(n_owned, level.nodes.n_owned());
-      if (n_processes() > 1 && l + 1 == meshes.n_levels())
-        {
-          EXPECT_LT(n_kept, 0.8 * level.n_cells());
-        }
+      blocks[b].base                = b;
+      blocks[b].thickness           = 1.;
+      blocks[b].coarse_cells        = {{3 - b, 2, 1}};
+      blocks[b].uniform_refinements = 3;
     }
+  expect_same_meshes<3>({blocks, MPI_COMM_WORLD, 1}, {blocks, MPI_COMM_SELF});
 }

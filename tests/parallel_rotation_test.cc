@@ -36,7 +36,7 @@ namespace
       , sides(1)
     {
       std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
-      std::vector<unsigned int>                         owners;
+      std::vector<NodeNumbers>                          numbers;
       const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
       for (unsigned int b = 0; b < 3; ++b)
         {
@@ -51,11 +51,13 @@ namespace
             body.thickness = 1.08;
           bodies.push_back(
             std::make_shared<BodyMesh<dim>>(body, topology.sides_at_faults(b)));
+          std::vector<unsigned int> owners;
           for (const Point<dim> &x : bodies.back()->node_positions())
             owners.push_back(
               std::min<unsigned int>((x[0] + 2.5) / 5. * n, n - 1));
+          numbers.push_back(number_whole_mesh(owners, n));
         }
-      level = MeshLevel<dim>(bodies, topology, owners, communicator);
+      level = MeshLevel<dim>(bodies, topology, numbers, communicator);
     }
   };
 

@@ -38,7 +38,7 @@ namespace
       const std::array<std::array<double, 3>, 3> places = {
         {{{-2.5, 2.5, 0.}}, {{-2.5, 0.5, 1.}}, {{0.5, 2.5, 1.}}}};
       std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
-      unsigned int                                      n_nodes = 0;
+      std::vector<NodeNumbers>                          numbers;
       for (unsigned int b = 0; b < 3; ++b)
         {
           std::array<unsigned int, dim> cells;
@@ -49,12 +49,11 @@ namespace
           body.base              = places[b][2];
           bodies.push_back(
             std::make_shared<BodyMesh<dim>>(body, topology.sides_at_faults(b)));
-          n_nodes += bodies.back()->dof_handler().n_dofs();
+          numbers.push_back(number_whole_mesh(
+            std::vector<unsigned int>(bodies.back()->dof_handler().n_dofs(), 0),
+            1));
         }
-      level = MeshLevel<dim>(bodies,
-                             topology,
-                             std::vector<unsigned int>(n_nodes, 0),
-                             MPI_COMM_SELF);
+      level = MeshLevel<dim>(bodies, topology, numbers, MPI_COMM_SELF);
       for (const unsigned int f : {0, 1})
         sides.push_back(choose_fault_sides(level, topology, f));
     }

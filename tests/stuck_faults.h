@@ -51,7 +51,7 @@ namespace StickSlip
                  const Tensor<1, dim>                      &gravity,
                  const MPI_Comm     communicator          = MPI_COMM_WORLD,
                  const unsigned int min_nodes_per_process = 500)
-      : meshes(with_patches(bodies, materials),
+      : meshes(bricks(bodies, conditions, materials),
                stack_topology<dim>(names(bodies.size()),
                                    names(bodies.size() - 1, 1)),
                communicator,
@@ -90,10 +90,12 @@ namespace StickSlip
                      min_nodes_per_process)
     {}
 
-    /** Bricks whose patches are coupled as their materials ask for. */
+    /** Bricks with the whole sides and coupled patches that their conditions
+     * and materials ask for. */
     static std::vector<CoarseBody<dim>>
-    with_patches(const std::vector<BodyGeometry<dim>> &bodies,
-                 const std::vector<Material>          &materials)
+    bricks(const std::vector<BodyGeometry<dim>>      &bodies,
+           const std::vector<BoundaryCondition<dim>> &conditions,
+           const std::vector<Material>               &materials)
     {
       std::vector<CoarseBody<dim>> result;
       for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -102,6 +104,9 @@ namespace StickSlip
           result.back().couples_patches =
             materials[b].volumetric_strain == VolumetricStrain::patch_mean;
         }
+      for (const BoundaryCondition<dim> &condition : conditions)
+        if (condition.axes == BoundaryAxes::side)
+          result[std::stoul(condition.body)].whole_sides.insert(condition.side);
       return result;
     }
 

@@ -329,22 +329,24 @@ namespace StickSlip
 
   template <int dim>
   void
-  refuse_inverted_cells(const Triangulation<dim> &mesh)
+  refuse_inverted_cells(const Triangulation<dim> &mesh,
+                        const unsigned int        least_level)
   {
     for (const auto &cell : mesh.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          std::array<Tensor<1, dim>, dim> edges;
-          if (cell->n_vertices() == dim + 1)
-            for (unsigned int d = 0; d < dim; ++d)
-              edges[d] = cell->vertex(d + 1) - cell->vertex(0);
-          else
-            for (unsigned int d = 0; d < dim; ++d)
-              edges[d] =
-                cell->vertex(v | (1u << d)) - cell->vertex(v & ~(1u << d));
-          if (!(volume(edges) > 0.))
-            refuse_inverted_cell(Point<dim>(cell->center()));
-        }
+      if (static_cast<unsigned int>(cell->level()) >= least_level)
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            std::array<Tensor<1, dim>, dim> edges;
+            if (cell->n_vertices() == dim + 1)
+              for (unsigned int d = 0; d < dim; ++d)
+                edges[d] = cell->vertex(d + 1) - cell->vertex(0);
+            else
+              for (unsigned int d = 0; d < dim; ++d)
+                edges[d] =
+                  cell->vertex(v | (1u << d)) - cell->vertex(v & ~(1u << d));
+            if (!(volume(edges) > 0.))
+              refuse_inverted_cell(Point<dim>(cell->center()));
+          }
   }
 
 

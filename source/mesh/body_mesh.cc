@@ -126,9 +126,11 @@ namespace StickSlip
     , period(body.period)
     , rigid(body.rigid)
     , couples_patches(body.couples_patches)
+    , whole_sides(sides_at_faults)
     , coarse_cells(body.cells)
     , coarser_cells(body.coarser_cells)
   {
+    whole_sides.insert(body.whole_sides.begin(), body.whole_sides.end());
     if constexpr (dim == 3)
       if (coarse_cells->all_reference_cells_are_simplex())
         {
@@ -169,11 +171,61 @@ namespace StickSlip
 
 
   template <int dim>
+  BodyMesh<dim>::BodyMesh(
+    const std::shared_ptr<const BodyMesh>                  &units,
+    const std::shared_ptr<const std::vector<unsigned int>> &owners,
+    const unsigned int                                      depth,
+    const unsigned int                                      process)
+    : lateral_lower(units->lateral_lower)
+    , period(units->period)
+    , rigid(units->rigid)
+    , couples_patches(units->couples_patches)
+    , whole_sides(units->whole_sides)
+    , coarse_cells(units->coarse_cells)
+    , coarser_cells(units->coarser_cells)
+    , units(units)
+    , refinement(std::make_unique<UnitRefinement<dim>>(units->mesh,
+                                                       owners,
+                                                       depth,
+                                                       process,
+                                                       whole_sides))
+  {
+    mesh = refinement->make_mesh();
+    if (has_shapes(*mesh))
+      refuse_inverted_cells(*mesh, refinement->level());
+    number_dofs();
+    unit_numbers =
+      std::make_unique<NodeNumbers>(refinement->node_numbers(*dofs));
+    constraints.close();
+    if (couples_patches)
+      cell_patches = CellPatches::of_trees(*mesh);
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const BodyMesh<dim>>
+  BodyMesh<dim>::coarsened(const BodyMesh &finer)
+  {
+    if (finer.refinement == nullptr)
+      return std::shared_ptr<const BodyMesh>(new BodyMesh(finer));
+    if (finer.refinement->depth == 1)
+      return finer.units;
+    return std::make_shared<BodyMesh>(finer.units,
+                                      finer.refinement->owners,
+                                      finer.refinement->depth - 1,
+                                      finer.refinement->process);
+  }
+
+
+
+  template <int dim>
   BodyMesh<dim>::BodyMesh(const BodyMesh &finer)
     : lateral_lower(finer.lateral_lower)
     , period(finer.period)
     , rigid(finer.rigid)
     , couples_patches(finer.couples_patches)
+    , whole_sides(finer.whole_sides)
     , coarse_cells(finer.coarse_cells)
     , coarser_cells(finer.coarser_cells)
     , red_refinements(finer.red_refinements)
@@ -213,22 +265,32 @@ namespace StickSlip
 
 
   template <int dim>
-  BodyMesh<dim>::BodyMesh(const BodyMesh          &whole,
-                          const std::vector<bool> &is_kept)
+  BodyMesh<dim>::BodyMesh(const BodyMesh                       &whole,
+                          const std::vector<bool>              &is_kept,
+                          std::vector<types::global_dof_index> *dofs_before)
     : lateral_lower(whole.lateral_lower)
     , period(whole.period)
     , rigid(whole.rigid)
     , couples_patches(whole.couples_patches)
+    , whole_sides(whole.whole_sides)
   {
     PartialMesh<dim> kept(*whole.mesh, is_kept);
     mesh = kept.mesh;
     number_dofs();
 
-    cell_patches = CellPatches(whole.cell_patches, is_kept);
-    part         = Part();
-    part->whole  = whole.figures();
-    part->cells  = std::move(kept.cells);
-    part->dofs.resize(dofs->n_dofs());
+    cell_patches     = CellPatches(whole.cell_patches, is_kept);
+    part             = Part();
+    part->n_vertices = whole.n_vertices();
+    part->n_cells    = whole.n_cells();
+    part->cells      = std::move(kept.cells);
+    if (whole.refinement != nullptr)
+      {
+        const std::vector<unsigned int> numbers =
+          whole.refinement->cell_numbers(*whole.mesh);
+        for (unsigned int &cell : part->cells)
+          cell = numbers[cell];
+      }
+    std::vector<types::global_dof_index>       before(dofs->n_dofs());
     const std::vector<types::global_dof_index> here = dofs_of_vertices(),
                                                in_whole =
                                                  whole.dofs_of_vertices();
@@ -237,9 +299,12 @@ namespace StickSlip
     for (unsigned int v = 0; v < here.size(); ++v)
       {
         const types::global_dof_index dof = in_whole[kept.vertices[v]];
-        part->dofs[here[v]]               = dof;
+        before[here[v]]                   = dof;
         number[dof]                       = here[v];
       }
+    for (const types::global_dof_index dof : before)
+      part->dofs.push_back(whole.whole_dof(dof));
+    part->dofs.shrink_to_fit();
 
     for (const auto &line : whole.constraints.get_lines())
       {
@@ -255,6 +320,8 @@ namespace StickSlip
             constraints.add_entry(bound, number[entry.first], entry.second);
       }
     constraints.close();
+    if (dofs_before != nullptr)
+      *dofs_before = std::move(before);
   }
 
 
@@ -322,10 +389,24 @@ namespace StickSlip
 
 
   template <int dim>
-  bool
-  BodyMesh<dim>::can_be_coarsened() const
+  unsigned int
+  BodyMesh<dim>::n_coarsenings() const
   {
-    return mesh->n_levels() > 1 || !red_refinements.empty();
+    if (refinement != nullptr)
+      return refinement->depth + units->n_coarsenings();
+    return std::max<unsigned int>(mesh->n_levels() - 1,
+                                  red_refinements.empty() ? 0 : 1);
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyMesh<dim>::can_have_units(const CoarseBody<dim> &body)
+  {
+    return body.refinement_passes == 0 && body.refined_cells.empty() &&
+           !body.rigid && body.period.norm() == 0. &&
+           body.cells->all_reference_cells_are_hyper_cube();
   }
 
 
@@ -392,6 +473,22 @@ namespace StickSlip
 
 
   template <int dim>
+  std::vector<bool>
+  BodyMesh<dim>::vertices_on_whole_sides() const
+  {
+    std::vector<bool> result(mesh->n_vertices(), false);
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (cell->at_boundary())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && whole_sides.count(face->boundary_id()) > 0)
+            for (const auto v : face->vertex_indices())
+              result[face->vertex_index(v)] = true;
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<Point<dim>>
   BodyMesh<dim>::node_positions() const
   {
@@ -405,16 +502,40 @@ namespace StickSlip
 
 
   template <int dim>
+  unsigned int
+  BodyMesh<dim>::n_vertices() const
+  {
+    return part         ? part->n_vertices :
+           unit_numbers ? unit_numbers->n_nodes :
+                          mesh->n_used_vertices();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BodyMesh<dim>::n_cells() const
+  {
+    return part       ? part->n_cells :
+           refinement ? refinement->n_cells() :
+                        mesh->n_active_cells();
+  }
+
+
+
+  template <int dim>
   MeshFigures
   BodyMesh<dim>::figures() const
   {
-    if (part)
-      return part->whole;
     MeshFigures result;
-    result.n_vertices = mesh->n_used_vertices();
-    result.n_cells    = mesh->n_active_cells();
-    result.smallest   = GridTools::minimal_cell_diameter(*mesh);
-    result.largest    = GridTools::maximal_cell_diameter(*mesh);
+    result.n_vertices = n_vertices();
+    result.n_cells    = n_cells();
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (is_real(cell))
+        {
+          result.smallest = std::min(result.smallest, cell->diameter());
+          result.largest  = std::max(result.largest, cell->diameter());
+        }
     return result;
   }
 

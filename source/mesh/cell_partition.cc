@@ -111,8 +111,8 @@ namespace StickSlip
       NeighbouringCells(
         const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
         const FaultTopology                                     &topology,
-        const std::vector<unsigned int>                         &first_cell)
-        : n_cells(first_cell.back())
+        const std::vector<unsigned int>                         &first_cell,
+        const std::vector<unsigned int>                         &depths)
       {
         for (unsigned int i = 0; i < bodies.size(); ++i)
           {
@@ -121,6 +121,9 @@ namespace StickSlip
               within.emplace_back(first + a, first + b);
             for (const auto &[a, b] : neighbouring_cells(*bodies[i], true))
               in_lines.emplace_back(first + a, first + b);
+            const unsigned int depth = depths.empty() ? 0 : depths[i];
+            n_finer.resize(first_cell[i + 1], 1u << (dim * depth));
+            n_finer_faces.resize(first_cell[i + 1], 1u << ((dim - 1) * depth));
           }
         for (const Fault &fault : topology.faults())
           add_pairs_across(fault_cells(bodies, fault.sides[0], first_cell),
@@ -133,8 +136,9 @@ namespace StickSlip
       std::vector<unsigned int>
       parts(const unsigned int n_parts) const
       {
-        const double mean = 1. * n_cells / n_parts;
-        for (unsigned int longest = n_cells;;)
+        const double mean =
+          1. * std::accumulate(n_finer.begin(), n_finer.end(), 0ull) / n_parts;
+        for (unsigned int longest = n_finer.size();;)
           {
             const std::vector<unsigned int> result =
               parts_of_pieces(longest, n_parts);
@@ -150,15 +154,15 @@ namespace StickSlip
       }
 
     private:
-      /** The number of times that each number is there. */
-      static std::vector<unsigned int>
-      count(const std::vector<unsigned int> &numbers)
+      /** The number of finest cells in each group. */
+      std::vector<unsigned int>
+      count(const std::vector<unsigned int> &groups) const
       {
-        std::vector<unsigned int> result(1 + *std::max_element(numbers.begin(),
-                                                               numbers.end()),
+        std::vector<unsigned int> result(1 + *std::max_element(groups.begin(),
+                                                               groups.end()),
                                          0);
-        for (const unsigned int number : numbers)
-          ++result[number];
+        for (unsigned int cell = 0; cell < groups.size(); ++cell)
+          result[groups[cell]] += n_finer[cell];
         return result;
       }
 
@@ -169,13 +173,16 @@ namespace StickSlip
                       const unsigned int n_parts) const
       {
         const std::vector<unsigned int> piece =
-          pieces_of_lines(n_cells, in_lines, longest);
+          pieces_of_lines(n_finer.size(), in_lines, longest);
         CellGraph  graph(count(piece));
         const auto add = [&](const std::vector<CellPair> &pairs,
                              const unsigned int           weight) {
           for (const auto &[a, b] : pairs)
             if (piece[a] != piece[b])
-              graph.add_edge(piece[a], piece[b], weight);
+              graph.add_edge(piece[a],
+                             piece[b],
+                             weight *
+                               std::min(n_finer_faces[a], n_finer_faces[b]));
         };
         add(within, within_bodies);
         add(in_lines, along_lines);
@@ -187,8 +194,10 @@ namespace StickSlip
         return result;
       }
 
-      unsigned int          n_cells;
-      std::vector<CellPair> within, in_lines, across;
+      /** Numbers of finest cells for which each stands, and of their faces on
+       * one of its own. */
+      std::vector<unsigned int> n_finer, n_finer_faces;
+      std::vector<CellPair>     within, in_lines, across;
     };
   } // namespace
 
@@ -199,7 +208,8 @@ namespace StickSlip
   partition_cells(
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
     const FaultTopology                                     &topology,
-    const unsigned int                                       n_parts)
+    const unsigned int                                       n_parts,
+    const std::vector<unsigned int>                         &depths)
   {
     AssertThrow(n_parts > 0, ExcMessage("There is no process to own cells."));
 
@@ -211,7 +221,8 @@ namespace StickSlip
     const std::vector<unsigned int> owners =
       n_parts == 1 ?
         std::vector<unsigned int>(first_cell.back(), 0) :
-        NeighbouringCells<dim>(bodies, topology, first_cell).parts(n_parts);
+        NeighbouringCells<dim>(bodies, topology, first_cell, depths)
+          .parts(n_parts);
 
     std::vector<std::vector<unsigned int>> of_body;
     for (unsigned int i = 0; i < bodies.size(); ++i)
@@ -315,11 +326,13 @@ namespace StickSlip
   template std::vector<std::vector<unsigned int>>
   partition_cells<2>(const std::vector<std::shared_ptr<const BodyMesh<2>>> &,
                      const FaultTopology &,
-                     const unsigned int);
+                     const unsigned int,
+                     const std::vector<unsigned int> &);
   template std::vector<std::vector<unsigned int>>
   partition_cells<3>(const std::vector<std::shared_ptr<const BodyMesh<3>>> &,
                      const FaultTopology &,
-                     const unsigned int);
+                     const unsigned int,
+                     const std::vector<unsigned int> &);
   template std::vector<unsigned int>
   vertex_owners<2>(const BodyMesh<2> &, const std::vector<unsigned int> &);
   template std::vector<unsigned int>

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/base/agreement.h>
 #include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/cell_partition.h>
@@ -22,26 +23,39 @@ namespace StickSlip
 
 
 
-    /**
-     * The process of each node, body after body, from the owners of the
-     * vertices of each body's mesh.
-     */
+    /** Cells that are divided between the processes at least, in units of the
+     * least number of nodes of a process. So many divide as well as all, and
+     * take little of the memory and time of a process. */
+    constexpr unsigned int least_units = 40;
+
+
+
+    /** The process of each node of a body from those of the vertices of its
+     * mesh. */
     template <int dim>
     std::vector<unsigned int>
-    node_owners(const Bodies<dim>                            &bodies,
-                const std::vector<std::vector<unsigned int>> &vertex_owners)
+    node_owners(const BodyMesh<dim>             &body,
+                const std::vector<unsigned int> &vertex_owners)
     {
-      std::vector<unsigned int> owners;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        {
-          const std::size_t first = owners.size();
-          owners.resize(first + bodies[b]->dof_handler().n_dofs());
-          const auto dofs = bodies[b]->dofs_of_vertices();
-          for (unsigned int v = 0; v < dofs.size(); ++v)
-            if (dofs[v] != numbers::invalid_dof_index)
-              owners[first + dofs[v]] = vertex_owners[b][v];
-        }
+      std::vector<unsigned int> owners(body.dof_handler().n_dofs());
+      const auto                dofs = body.dofs_of_vertices();
+      for (unsigned int v = 0; v < dofs.size(); ++v)
+        if (dofs[v] != numbers::invalid_dof_index)
+          owners[dofs[v]] = vertex_owners[v];
       return owners;
+    }
+
+
+
+    /** The number of nodes of all bodies. */
+    template <int dim>
+    std::size_t
+    n_nodes(const Bodies<dim> &bodies)
+    {
+      std::size_t n = 0;
+      for (const auto &body : bodies)
+        n += body->n_vertices();
+      return n;
     }
 
 
@@ -84,18 +98,6 @@ namespace StickSlip
                              topology.faults()[f].name +
                              "' do not face each other in one plane.");
         }
-    }
-
-
-
-    /** The number of times that a mesh of trees can be coarsened; for
-     * tetrahedra one, if at all. */
-    template <int dim>
-    unsigned int
-    n_coarsenings(const BodyMesh<dim> &body)
-    {
-      return std::max<unsigned int>(body.triangulation().n_levels() - 1,
-                                    body.can_be_coarsened() ? 1 : 0);
     }
 
 
@@ -155,7 +157,7 @@ namespace StickSlip
           {
             // If it takes a level more, from four times larger faces on.
             const bool is_deeper =
-              n_coarsenings(*bodies[other]) > n_coarsenings(*bodies[b]);
+              bodies[other]->n_coarsenings() > bodies[b]->n_coarsenings();
             const double ratio = is_deeper ? 0.49 : 0.26;
             if (bodies[other]->can_be_coarsened() &&
                 face[other] < ratio * face[b])
@@ -166,9 +168,56 @@ namespace StickSlip
       Bodies<dim> coarser = bodies;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         if (bodies[b]->can_be_coarsened() && !can_wait(b))
-          coarser[b] = std::make_shared<BodyMesh<dim>>(*bodies[b]);
+          coarser[b] = BodyMesh<dim>::coarsened(*bodies[b]);
       return coarser;
     }
+
+
+
+    /**
+     * The meshes that are divided between the processes, and how often the
+     * cells of each body are refined after that: as often as leaves
+     * @p least_cells in all.
+     */
+    template <int dim>
+    struct DividedMeshes
+    {
+      DividedMeshes(const std::vector<CoarseBody<dim>> &coarse_bodies,
+                    const FaultTopology                &topology,
+                    const std::size_t                   least_cells)
+        : meshes(coarse_bodies.size())
+        , depths(coarse_bodies.size(), 0)
+      {
+        std::size_t n_cells = 0;
+        for (unsigned int b = 0; b < meshes.size(); ++b)
+          if (BodyMesh<dim>::can_have_units(coarse_bodies[b]))
+            n_cells += std::size_t(coarse_bodies[b].cells->n_active_cells())
+                       << (dim * coarse_bodies[b].uniform_refinements);
+          else
+            {
+              meshes[b] =
+                std::make_shared<BodyMesh<dim>>(coarse_bodies[b],
+                                                topology.sides_at_faults(b));
+              n_cells += meshes[b]->n_cells();
+            }
+        unsigned int depth = 0;
+        while ((n_cells >> (dim * (depth + 1))) >= least_cells)
+          ++depth;
+        for (unsigned int b = 0; b < meshes.size(); ++b)
+          if (meshes[b] == nullptr)
+            {
+              CoarseBody<dim> body = coarse_bodies[b];
+              depths[b]            = std::min(depth, body.uniform_refinements);
+              body.uniform_refinements -= depths[b];
+              meshes[b] =
+                std::make_shared<BodyMesh<dim>>(body,
+                                                topology.sides_at_faults(b));
+            }
+      }
+
+      Bodies<dim>               meshes;
+      std::vector<unsigned int> depths;
+    };
 
 
 
@@ -237,12 +286,31 @@ namespace StickSlip
     const unsigned int n_processes =
       Utilities::MPI::n_mpi_processes(communicator);
 
+    const DividedMeshes<dim> divided(coarse_bodies,
+                                     topology,
+                                     n_processes == 1 ?
+                                       std::numeric_limits<std::size_t>::max() :
+                                       std::size_t(min_nodes_per_process) *
+                                         std::max(n_processes, least_units));
+    std::vector<std::shared_ptr<const std::vector<unsigned int>>>
+      owners_of_cells;
+    for (auto &owners : partition_cells<dim>(
+           divided.meshes, topology, n_processes, divided.depths))
+      owners_of_cells.push_back(
+        std::make_shared<const std::vector<unsigned int>>(std::move(owners)));
+
     // All meshes, the finest first.
-    std::vector<Bodies<dim>> meshes(1);
-    for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
-      meshes[0].push_back(
-        std::make_shared<BodyMesh<dim>>(coarse_bodies[i],
-                                        topology.sides_at_faults(i)));
+    std::vector<Bodies<dim>> meshes = {divided.meshes};
+    carry_out_agreed(communicator, [&]() {
+      for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
+        if (divided.depths[i] > 0)
+          meshes[0][i] =
+            std::make_shared<BodyMesh<dim>>(divided.meshes[i],
+                                            owners_of_cells[i],
+                                            divided.depths[i],
+                                            Utilities::MPI::this_mpi_process(
+                                              communicator));
+    });
     for (Bodies<dim> coarser = coarsened_once(meshes.back(), topology);
          coarser != meshes.back();
          coarser = coarsened_once(meshes.back(), topology))
@@ -255,36 +323,45 @@ namespace StickSlip
       {
         meshes.push_back(meshes.back());
         for (auto &body : meshes.back())
-          body = std::make_shared<BodyMesh<dim>>(*body);
+          body = BodyMesh<dim>::coarsened(*body);
       }
 
-    std::vector<std::vector<unsigned int>>       owners_of_vertices;
-    const std::vector<std::vector<unsigned int>> owners_of_cells =
-      partition_cells<dim>(meshes.front(), topology, n_processes);
-    for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
-      owners_of_vertices.push_back(
-        vertex_owners<dim>(*meshes.front()[i], owners_of_cells[i]));
-
+    std::vector<std::vector<unsigned int>> owners_of_vertices(
+      coarse_bodies.size());
     for (unsigned int l = 0; l < meshes.size(); ++l)
       {
-        if (l > 0)
-          for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
-            owners_of_vertices[i] =
-              inherited_vertex_owners<dim>(*meshes[l][i],
-                                           *meshes[l - 1][i],
-                                           owners_of_vertices[i]);
-        std::vector<unsigned int> owners =
-          node_owners<dim>(meshes[l], owners_of_vertices);
+        unsigned int n_sharing = n_processes;
         if (l + 1 == meshes.size())
-          gather(owners, n_processes, 1);
+          n_sharing = 1;
         else if (l > 0)
-          gather(owners,
-                 n_processes,
-                 std::clamp<std::size_t>(owners.size() / min_nodes_per_process,
-                                         1,
-                                         n_processes));
+          n_sharing = std::clamp<std::size_t>(
+            n_nodes<dim>(meshes[l]) / min_nodes_per_process, 1, n_processes);
+        std::vector<NodeNumbers> numbers;
+        for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
+          {
+            const BodyMesh<dim> &mesh = *meshes[l][i];
+            if (const NodeNumbers *in_units = mesh.numbers_in_units())
+              {
+                AssertThrow(n_sharing == n_processes, ExcInternalError());
+                numbers.push_back(*in_units);
+                continue;
+              }
+            if (meshes[l][i] == divided.meshes[i])
+              owners_of_vertices[i] =
+                vertex_owners<dim>(mesh, *owners_of_cells[i]);
+            else
+              owners_of_vertices[i] =
+                inherited_vertex_owners<dim>(mesh,
+                                             *meshes[l - 1][i],
+                                             owners_of_vertices[i]);
+            std::vector<unsigned int> owners =
+              node_owners<dim>(mesh, owners_of_vertices[i]);
+            if (n_sharing < n_processes)
+              gather(owners, n_processes, n_sharing);
+            numbers.push_back(number_whole_mesh(owners, n_processes));
+          }
         levels.emplace_back(
-          meshes[l], topology, owners, communicator, n_components);
+          meshes[l], topology, numbers, communicator, n_components);
         if (l == 0)
           check_plane_sides(levels.front(), topology);
       }

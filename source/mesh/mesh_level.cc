@@ -15,8 +15,8 @@ namespace StickSlip
 {
   namespace
   {
-    /** Call @p visit(body, cells, nodes) on each patch of cells, with the nodes
-     * to which their degrees of freedom are bound. */
+    /** Call @p visit(body, cells, nodes) on each patch of real cells, with the
+     * nodes to which their degrees of freedom are bound. */
     template <int dim, typename Visitor>
     void
     for_each_patch(const MeshLevel<dim> &level, const Visitor &visit)
@@ -28,6 +28,9 @@ namespace StickSlip
           dofs.resize(dof_handler.get_fe().n_dofs_per_cell());
           level.bodies[b]->patches().for_each(
             dof_handler, [&](const auto &cells) {
+              // Cells of a patch are of one level of refinement.
+              if (!level.bodies[b]->is_real(cells.front()))
+                return;
               nodes.clear();
               for (const auto &cell : cells)
                 {
@@ -48,39 +51,60 @@ namespace StickSlip
   MeshLevel<dim>::MeshLevel(
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
     const FaultTopology                                     &topology,
-    const std::vector<unsigned int>                         &node_owners,
+    const std::vector<NodeNumbers>                          &of_bodies,
     const MPI_Comm                                          &communicator,
     const unsigned int                                       n_components)
     : bodies(bodies)
     , first_node{0}
-    , global_numbers(node_owners.size())
+    , first_serial_node{0}
     , first_serial_cell{0}
   {
-    for (const auto &body : bodies)
-      {
-        first_node.push_back(first_node.back() + body->dof_handler().n_dofs());
-        first_serial_cell.push_back(first_serial_cell.back() +
-                                    body->triangulation().n_active_cells());
-      }
-    first_serial_node = first_node;
-    AssertDimension(first_node.back(), node_owners.size());
+    AssertDimension(of_bodies.size(), bodies.size());
+    const unsigned int n_processes =
+      Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
 
     // Number by owner, and keep the order otherwise.
-    std::vector<types::global_dof_index> next(
-      Utilities::MPI::n_mpi_processes(communicator) + 1, 0);
-    for (const unsigned int owner : node_owners)
-      ++next[owner + 1];
+    std::vector<types::global_dof_index> next(n_processes + 1, 0);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        first_node.push_back(first_node.back() + of_bodies[b].owner.size());
+        first_serial_node.push_back(first_serial_node.back() +
+                                    of_bodies[b].n_nodes);
+        first_serial_cell.push_back(first_serial_cell.back() +
+                                    bodies[b]->n_cells());
+        for (unsigned int p = 0; p < of_bodies[b].n_owned.size(); ++p)
+          next[p + 1] += of_bodies[b].n_owned[p];
+      }
     for (unsigned int p = 1; p < next.size(); ++p)
       next[p] += next[p - 1];
-    IndexSet           owned(n_nodes());
-    const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
+    IndexSet owned(n_nodes());
     owned.add_range(next[me], next[me + 1]);
-    for (types::global_dof_index i = 0; i < n_nodes(); ++i)
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        global_numbers[i] = next[node_owners[i]]++;
-        if (node_owners[i] == me)
-          serial_nodes.push_back(i);
+        const NodeNumbers                   &its = of_bodies[b];
+        std::vector<types::global_dof_index> own_serial;
+        if (me < its.n_owned.size())
+          own_serial.resize(its.n_owned[me], numbers::invalid_dof_index);
+        for (types::global_dof_index i = 0; i < its.owner.size(); ++i)
+          if (its.owner[i] == numbers::invalid_unsigned_int)
+            global_numbers.push_back(numbers::invalid_dof_index);
+          else
+            {
+              global_numbers.push_back(next[its.owner[i]] + its.place[i]);
+              if (its.owner[i] == me)
+                own_serial[its.place[i]] = first_serial_node[b] + its.serial[i];
+            }
+        serial_nodes.insert(serial_nodes.end(),
+                            own_serial.begin(),
+                            own_serial.end());
+        for (unsigned int p = 0; p < its.n_owned.size(); ++p)
+          next[p] += its.n_owned[p];
       }
+    AssertThrow(std::count(serial_nodes.begin(),
+                           serial_nodes.end(),
+                           numbers::invalid_dof_index) == 0,
+                ExcInternalError());
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const auto &line : bodies[b]->bound_nodes().get_lines())
         {
@@ -201,13 +225,21 @@ namespace StickSlip
   std::uint32_t
   MeshLevel<dim>::checksum() const
   {
-    if (whole_checksum)
-      return *whole_checksum;
-    std::uint32_t result = 0;
-    for (const auto &body : bodies)
-      for (const Point<dim> &vertex : body->triangulation().get_vertices())
-        result = crc32(&vertex, sizeof(vertex), result);
-    return result;
+    // A sum, which no order and no partition changes.
+    std::uint32_t sum = 0;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const std::vector<Point<dim>> positions = bodies[b]->node_positions();
+        for (types::global_dof_index dof = 0; dof < positions.size(); ++dof)
+          if (nodes.owned().is_element(global_node(b, dof)))
+            {
+              const std::uint64_t number = serial_node(b, dof);
+              sum += crc32(&number,
+                           sizeof(number),
+                           crc32(&positions[dof], sizeof(Point<dim>)));
+            }
+      }
+    return Utilities::MPI::sum(sum, nodes.communicator());
   }
 
 
@@ -216,10 +248,12 @@ namespace StickSlip
   void
   MeshLevel<dim>::keep_own_cells()
   {
-    whole_checksum = checksum();
-    std::vector<std::vector<bool>> is_kept;
+    std::vector<std::vector<bool>> is_kept, is_on_whole_side;
     for (const auto &body : bodies)
-      is_kept.emplace_back(body->triangulation().n_active_cells(), false);
+      {
+        is_kept.emplace_back(body->triangulation().n_active_cells(), false);
+        is_on_whole_side.push_back(body->vertices_on_whole_sides());
+      }
     for_each_patch(
       *this,
       [&](const unsigned int                          body,
@@ -237,27 +271,33 @@ namespace StickSlip
               is_owned(global_node(body, cell->vertex_dof_index(v, 0)));
         for (const auto &cell : cells)
           is_kept[body][cell->active_cell_index()] =
-            is_wanted || cell->at_boundary();
+            is_wanted || bodies[body]->is_rigid() ||
+            std::any_of(cell->vertex_indices().begin(),
+                        cell->vertex_indices().end(),
+                        [&](const unsigned int v) {
+                          return is_on_whole_side[body][cell->vertex_index(v)];
+                        });
       });
 
     std::vector<types::global_dof_index>                   first = {0}, numbers;
     std::unordered_map<types::global_dof_index, GlobalRow> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const auto part =
-          std::make_shared<const BodyMesh<dim>>(*bodies[b], is_kept[b]);
-        const types::global_dof_index n = part->dof_handler().n_dofs();
-        for (types::global_dof_index dof = 0; dof < n; ++dof)
+        std::vector<types::global_dof_index> dofs_before;
+        const auto part = std::make_shared<const BodyMesh<dim>>(*bodies[b],
+                                                                is_kept[b],
+                                                                &dofs_before);
+        for (types::global_dof_index dof = 0; dof < dofs_before.size(); ++dof)
           {
             const types::global_dof_index whole =
-              first_node[b] + part->whole_dof(dof);
+              first_node[b] + dofs_before[dof];
             if (const auto row = bound_rows.find(whole);
                 row != bound_rows.end())
               rows.emplace(first.back() + dof, std::move(row->second));
             numbers.push_back(global_numbers[whole]);
           }
         bodies[b] = part;
-        first.push_back(first.back() + n);
+        first.push_back(first.back() + dofs_before.size());
       }
     numbers.shrink_to_fit();
     first_node     = std::move(first);

@@ -154,6 +154,8 @@ namespace StickSlip
       {
         if (coarse_cell->is_active())
           {
+            if (!coarse.bodies[body]->is_real(coarse_cell))
+              return;
             coarse_cell->get_dof_indices(coarse_dofs);
             below(fine_cell, IdentityMatrix(coarse_dofs.size()));
           }
@@ -199,7 +201,11 @@ namespace StickSlip
         for (unsigned int j = 0; j < coarse_dofs.size(); ++j)
           if (const double value = values(i, j))
             for (const auto &master : coarse.resolve(body, coarse_dofs[j]))
-              row.emplace_back(master.first, value * master.second);
+              {
+                AssertThrow(master.first != numbers::invalid_dof_index,
+                            ExcInternalError());
+                row.emplace_back(master.first, value * master.second);
+              }
       }
 
       const MeshLevel<dim>                &coarse;

@@ -35,6 +35,11 @@ namespace StickSlip
     for (unsigned int b = 0; b < bodies.size(); ++b)
       result[b].couples_patches =
         bodies[b].material.volumetric_strain == VolumetricStrain::patch_mean;
+    for (const BoundaryCondition<dim> &condition : boundary_conditions)
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if (condition.axes == BoundaryAxes::side &&
+            condition.body == bodies[b].name)
+          result[b].whole_sides.insert(condition.side);
     return result;
   }
 

@@ -29,7 +29,7 @@ namespace StickSlip
      * anything that is written, size and checksum of all that follows the line
      * come next. */
     const std::string  first_word     = "stickslip-run-state";
-    constexpr unsigned format_version = 14;
+    constexpr unsigned format_version = 15;
 
 
 
@@ -58,6 +58,7 @@ namespace StickSlip
 
 
 
+    /** Collective. */
     template <int dim>
     Header
     header(const MeshLevel<dim> &level)
@@ -154,13 +155,13 @@ namespace StickSlip
     const std::vector<std::vector<KeptLinearisation<n_components>>>
       linearisations =
         Utilities::MPI::gather(communicator, state.linearisations);
+    const Header start = header(level);
     carry_out_agreed(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       std::ostringstream content;
       {
         boost::archive::binary_oarchive archive(content);
-        const Header                    start = header(level);
         archive << entries << start << state << vectors << linearisations;
       }
       std::ostringstream line;
@@ -191,6 +192,7 @@ namespace StickSlip
     RunState<dim, n_components>                               state;
     std::vector<std::vector<double>>                          vectors;
     std::vector<std::vector<KeptLinearisation<n_components>>> linearisations;
+    const Header here = header(level);
     carry_out_agreed(level.nodes.communicator(), [&]() {
       std::istringstream content(content_of(file_name));
       try
@@ -199,7 +201,7 @@ namespace StickSlip
           SceneEntries                    entries;
           Header                          start;
           archive >> entries >> start;
-          if (!(start == header(level)))
+          if (!(start == here))
             throw InputError("The file '" + file_name +
                              "' is not the state of a run with these meshes.");
           archive >> state >> vectors >> linearisations;

@@ -39,7 +39,10 @@ namespace StickSlip
       MeshFigures           all;
       for (unsigned int i = 0; i < finest.bodies.size(); ++i)
         {
-          const MeshFigures one = finest.bodies[i]->figures();
+          MeshFigures    one           = finest.bodies[i]->figures();
+          const MPI_Comm all_processes = finest.nodes.communicator();
+          one.smallest = Utilities::MPI::min(one.smallest, all_processes);
+          one.largest  = Utilities::MPI::max(one.largest, all_processes);
           add_figures(one,
                       summary.add_section("Mesh of body " + body_names[i]));
           all.n_vertices += one.n_vertices;

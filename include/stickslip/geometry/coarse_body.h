@@ -45,6 +45,10 @@ namespace StickSlip
     /** Names of the sides by boundary indicator. */
     std::map<types::boundary_id, std::string> side_names;
 
+    /** Sides that each process needs as a whole beside those at faults, since
+     * their directions are asked for. */
+    std::set<types::boundary_id> whole_sides;
+
     /** Number of refinements of all cells, then of passes that refine the cells
      * touching a fault, and of rows of cells that each of them refines. */
     unsigned int uniform_refinements = 0;

@@ -122,10 +122,12 @@ namespace StickSlip
   [[noreturn]] void
   refuse_inverted_cell(const Point<dim> &centre);
 
-  /** Throw InputError if a cell is inverted at one of its vertices. */
+  /** Throw InputError if an active cell that has been refined at least so often
+   * is inverted at one of its vertices. */
   template <int dim>
   void
-  refuse_inverted_cells(const Triangulation<dim> &mesh);
+  refuse_inverted_cells(const Triangulation<dim> &mesh,
+                        const unsigned int        least_level = 0);
 } // namespace StickSlip
 
 #endif

@@ -12,6 +12,7 @@
 #include <stickslip/mesh/cell_patches.h>
 #include <stickslip/mesh/fault_surface.h>
 #include <stickslip/mesh/red_refinement.h>
+#include <stickslip/mesh/unit_refinement.h>
 
 #include <limits>
 #include <memory>
@@ -24,8 +25,8 @@ namespace StickSlip
   using namespace dealii;
 
   /**
-   * Numbers of vertices and active cells, and the smallest and largest diameter
-   * of a cell, m.
+   * Numbers of vertices and active cells of a whole mesh, and the smallest and
+   * largest diameter of the cells that are here, m.
    */
   struct MeshFigures
   {
@@ -38,8 +39,10 @@ namespace StickSlip
    * piecewise (multi)linear functions on it, one number a node, and the
    * constraints of the bound nodes: hanging ones, and those on the upper side
    * along a periodic axis, which follow their images on the lower one. Owners
-   * are found for all bodies together, see MeshHierarchy, from whole meshes;
-   * after that a process keeps a part, which knows its numbers in the whole.
+   * are found for all bodies together, see MeshHierarchy, from whole meshes, or
+   * from cells that are refined only then and only where a process needs them,
+   * see UnitRefinement. After that a process keeps a part, which knows its
+   * numbers in the whole.
    *
    * Cells are trees of deal.II's, but for tetrahedra: these are refined as a
    * whole, each time into a mesh of its own, see RedRefinement.
@@ -62,22 +65,69 @@ namespace StickSlip
     BodyMesh(const BodyGeometry<dim>            &geometry,
              const std::set<types::boundary_id> &sides_at_faults);
 
+    /** The share of a process in the mesh with each cell of @p units refined so
+     * often. What is here are cells of the whole mesh and others, see
+     * is_real(). Throws InputError if one of its cells is inverted. */
+    BodyMesh(const std::shared_ptr<const BodyMesh>                  &units,
+             const std::shared_ptr<const std::vector<unsigned int>> &owners,
+             const unsigned int                                      depth,
+             const unsigned int                                      process);
+
     /** The mesh in which every cell of @p finer that can be is coarsened; if
      * none can be, the next of CoarseBody::coarser_cells. */
-    explicit BodyMesh(const BodyMesh &finer);
+    static std::shared_ptr<const BodyMesh>
+    coarsened(const BodyMesh &finer);
 
-    /** Some active cells of the mesh @p whole, those on its sides among them.
-     * Bound nodes whose masters are not all here have no entries in the
-     * constraints. Such a mesh is refined or coarsened no further. */
-    BodyMesh(const BodyMesh &whole, const std::vector<bool> &is_kept);
+    /** Some active cells of the mesh @p whole, real ones. Bound nodes whose
+     * masters are not all here have no entries in the constraints. Such a mesh
+     * is refined or coarsened no further. If asked for, @p dofs_before gets the
+     * degree of freedom that each had in @p whole. */
+    BodyMesh(const BodyMesh                       &whole,
+             const std::vector<bool>              &is_kept,
+             std::vector<types::global_dof_index> *dofs_before = nullptr);
+
+    /** The number of times that this mesh can be coarsened; of tetrahedra one
+     * if at all. */
+    unsigned int
+    n_coarsenings() const;
 
     /** True if the mesh is finer than the coarse cells. */
     bool
-    can_be_coarsened() const;
+    can_be_coarsened() const
+    {
+      return n_coarsenings() > 0;
+    }
 
     /** True if there are coarser cells than the coarse ones of this mesh. */
     bool
     has_coarser_cells() const;
+
+    /** True if the refined cells of a body may be made only where a process
+     * needs them: quadrilaterals or hexahedra of one level, and no side joined
+     * to another. */
+    static bool
+    can_have_units(const CoarseBody<dim> &body);
+
+    /** Numbers of the nodes, if this is a share in a mesh that is nowhere as a
+     * whole, else null. */
+    const NodeNumbers *
+    numbers_in_units() const
+    {
+      return unit_numbers.get();
+    }
+
+    /** True if a cell is one of the mesh, not in place of finer ones. */
+    bool
+    is_real(const typename Triangulation<dim>::cell_iterator &cell) const
+    {
+      return refinement == nullptr || refinement->is_real(cell);
+    }
+
+    /** For each vertex of the triangulation, if it is on a side that every
+     * process has as a whole: one at a fault, or with directions that are asked
+     * for. */
+    std::vector<bool>
+    vertices_on_whole_sides() const;
 
     /** True if both meshes are refined from the same coarse cells. */
     bool
@@ -114,18 +164,27 @@ namespace StickSlip
     std::vector<Point<dim>>
     node_positions() const;
 
-    /** Of the whole mesh also where only part of it is here. */
+    /** Numbers of the whole mesh and sizes of what is here. */
     MeshFigures
     figures() const;
+
+    /** Numbers of vertices and of active cells of the whole mesh. */
+    unsigned int
+    n_vertices() const;
+    unsigned int
+    n_cells() const;
 
     /** The number of a degree of freedom in the whole mesh. */
     types::global_dof_index
     whole_dof(const types::global_dof_index dof) const
     {
-      return part ? part->dofs[dof] : dof;
+      return part         ? part->dofs[dof] :
+             unit_numbers ? unit_numbers->serial[dof] :
+                            dof;
     }
 
-    /** The number of an active cell in the whole mesh. */
+    /** The number of an active cell in the whole mesh, if this is one or a part
+     * that is kept. */
     unsigned int
     whole_cell(const unsigned int cell) const
     {
@@ -171,6 +230,8 @@ namespace StickSlip
     }
 
   private:
+    explicit BodyMesh(const BodyMesh &finer);
+
     /** A mesh of the coarse cells that can be refined. */
     std::shared_ptr<Triangulation<dim>>
     copy_coarse_cells() const;
@@ -192,10 +253,12 @@ namespace StickSlip
     bool                        rigid;
     bool                        couples_patches;
 
+    std::set<types::boundary_id> whole_sides;
+
     /** Numbers in the whole mesh, if only part of it is here. */
     struct Part
     {
-      MeshFigures                          whole;
+      unsigned int                         n_vertices, n_cells;
       std::vector<unsigned int>            cells;
       std::vector<types::global_dof_index> dofs;
     };
@@ -210,6 +273,11 @@ namespace StickSlip
 
     /** Meshes of tetrahedra, the last of which is the one of the body. */
     std::vector<std::shared_ptr<const RedRefinement>> red_refinements;
+
+    /** The mesh of the units, if cells are made only where they are needed. */
+    std::shared_ptr<const BodyMesh>            units;
+    std::unique_ptr<const UnitRefinement<dim>> refinement;
+    std::unique_ptr<const NodeNumbers>         unit_numbers;
 
     std::shared_ptr<const Triangulation<dim>> mesh;
     std::unique_ptr<DoFHandler<dim>>          dofs;

@@ -17,7 +17,9 @@ namespace StickSlip
    * of flat cells (cell_lines.h) are whole if no part then has more than 1.3
    * times the mean, or 1.5 times below 1,000 cells for each part. For
    * powers of two, parts of neighbouring numbers are neighbours in space. Parts
-   * in excess of the number of cells own nothing.
+   * in excess of the number of cells own nothing. Where cells stand for finer
+   * ones, @p depths are the numbers of times that those of each body are
+   * refined.
    *
    * The result depends on the arguments alone, so that each process finds the
    * same without messages.
@@ -27,7 +29,8 @@ namespace StickSlip
   partition_cells(
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
     const FaultTopology                                     &topology,
-    const unsigned int                                       n_parts);
+    const unsigned int                                       n_parts,
+    const std::vector<unsigned int>                         &depths = {});
 
   /**
    * The owner of every vertex of a body's mesh, by vertex index of the

@@ -8,9 +8,9 @@
 #include <stickslip/algebra/transfer_matrix.h>
 #include <stickslip/geometry/fault_topology.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/node_numbers.h>
 
 #include <cstdint>
-#include <optional>
 #include <unordered_map>
 
 namespace StickSlip
@@ -21,7 +21,8 @@ namespace StickSlip
    * the bodies' DoFHandlers. On one process that is body after body, the serial
    * order.
    *
-   * It is made from whole meshes; several processes then keep what they need.
+   * It is made from whole meshes or shares of them, see BodyMesh; several
+   * processes then keep what they need.
    */
   template <int dim>
   struct MeshLevel
@@ -37,18 +38,19 @@ namespace StickSlip
     MeshLevel() = default;
 
     /**
-     * @p node_owners: the process of each node, body after body;
-     * @p n_components: entries of nodal vectors for each node. Throws
-     * InputError if a side of a fault has no faces. Collective.
+     * @p numbers of the nodes of each body; @p n_components: entries of nodal
+     * vectors for each node. Throws InputError if a side of a fault has no
+     * faces. Collective.
      */
     MeshLevel(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
               const FaultTopology                                     &topology,
-              const std::vector<unsigned int> &node_owners,
-              const MPI_Comm                  &communicator,
-              const unsigned int               n_components = dim);
+              const std::vector<NodeNumbers>                          &numbers,
+              const MPI_Comm    &communicator,
+              const unsigned int n_components = dim);
 
-    /** Keep the patches that touch an owned node and the cells on the sides of
-     * bodies, and forget the others and their nodes. */
+    /** Keep the patches that touch an owned node, the cells that touch a side
+     * which every process has as a whole, and rigid bodies; forget the others
+     * and their nodes. */
     void
     keep_own_cells();
 
@@ -87,11 +89,13 @@ namespace StickSlip
       return serial_nodes;
     }
 
-    /** Checksum of the positions of all vertices, in their serial order. */
+    /** Checksum of the positions of all nodes and their serial numbers.
+     * Collective. */
     std::uint32_t
     checksum() const;
 
-    /** The global number of the node at a degree of freedom of a body. */
+    /** The global number of the node at a degree of freedom of a body; invalid
+     * for those of cells that are not real. */
     types::global_dof_index
     global_node(const unsigned int            body,
                 const types::global_dof_index dof) const;
@@ -137,8 +141,6 @@ namespace StickSlip
      * cell of each body. */
     std::vector<types::global_dof_index> serial_nodes, first_serial_node,
       first_serial_cell;
-    /** The checksum, if only parts of the meshes are here. */
-    std::optional<std::uint32_t> whole_checksum;
     /** First and second side of each fault. */
     std::vector<std::array<FaultSurface<dim>, 2>> surfaces;
     IndexSet                                      strip_nodes;
