@@ -131,6 +131,10 @@ namespace StickSlip
     , coarser_cells(body.coarser_cells)
   {
     whole_sides.insert(body.whole_sides.begin(), body.whole_sides.end());
+    // Bound nodes on one of two joined sides name those on the other.
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      if (period[axis] > 0)
+        whole_sides.insert({2 * axis, 2 * axis + 1});
     if constexpr (dim == 3)
       if (coarse_cells->all_reference_cells_are_simplex())
         {

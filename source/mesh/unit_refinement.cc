@@ -164,7 +164,7 @@ namespace StickSlip
         return place_of<dim>(end);
       }
 
-      /** Where a node comes among all, in the order of the first cell that has
+      /** The place of a node among all, in the order of the first cell that has
        * them. */
       unsigned int
       order(const Lattice<dim> &node) const
@@ -175,7 +175,7 @@ namespace StickSlip
       /** The nodes in this order. */
       std::vector<Lattice<dim>> nodes;
 
-      /** How many there are at a place. */
+      /** Numbers of nodes at each place. */
       std::array<unsigned int, n_places<dim>> n_at_place;
 
     private:

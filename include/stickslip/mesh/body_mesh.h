@@ -124,8 +124,8 @@ namespace StickSlip
     }
 
     /** For each vertex of the triangulation, if it is on a side that every
-     * process has as a whole: one at a fault, or with directions that are asked
-     * for. */
+     * process has as a whole: one at a fault, with directions that are asked
+     * for, or joined to another. */
     std::vector<bool>
     vertices_on_whole_sides() const;
 
