@@ -57,7 +57,7 @@ namespace StickSlip
 
 
 
-    /** Along how many axes a place is between the ends. */
+    /** The number of axes along which a place is between the ends. */
     template <int dim>
     unsigned int
     dimension_of_place(unsigned int place)
@@ -164,15 +164,14 @@ namespace StickSlip
         return place_of<dim>(end);
       }
 
-      /** The place of a node among all, in the order of the first cell that has
-       * them. */
+      /** The position of a node in the order of the first cell that has it. */
       unsigned int
       order(const Lattice<dim> &node) const
       {
         return order_of[position(node)];
       }
 
-      /** The nodes in this order. */
+      /** The nodes in the order of the first cell that has them. */
       std::vector<Lattice<dim>> nodes;
 
       /** Numbers of nodes at each place. */
