@@ -12,6 +12,7 @@
 #include <stickslip/mesh/body_sides.h>
 #include <stickslip/mesh/partial_mesh.h>
 #include <stickslip/mesh/refined_cells.h>
+#include <stickslip/mesh/vertices_on_sides.h>
 
 #include <algorithm>
 
@@ -78,13 +79,11 @@ namespace StickSlip
               const unsigned int                               rows,
               Triangulation<dim>                              &mesh)
     {
-      std::vector<bool> is_on_side(mesh.n_vertices(), false);
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
-            for (const auto v : face->vertex_indices())
-              if (!where || where(face->vertex(v)) > 0.)
-                is_on_side[face->vertex_index(v)] = true;
+      std::vector<bool> is_on_side = vertices_on_sides(mesh, sides);
+      if (where)
+        for (unsigned int v = 0; v < is_on_side.size(); ++v)
+          if (is_on_side[v])
+            is_on_side[v] = (where(mesh.get_vertices()[v]) > 0.);
 
       for (unsigned int row = 1; row < rows; ++row)
         {
@@ -480,14 +479,7 @@ namespace StickSlip
   std::vector<bool>
   BodyMesh<dim>::vertices_on_whole_sides() const
   {
-    std::vector<bool> result(mesh->n_vertices(), false);
-    for (const auto &cell : mesh->active_cell_iterators())
-      if (cell->at_boundary())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && whole_sides.count(face->boundary_id()) > 0)
-            for (const auto v : face->vertex_indices())
-              result[face->vertex_index(v)] = true;
-    return result;
+    return vertices_on_sides(*mesh, whole_sides);
   }
 
 

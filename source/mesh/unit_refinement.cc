@@ -5,6 +5,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/mesh/unit_refinement.h>
+#include <stickslip/mesh/vertices_on_sides.h>
 
 #include <algorithm>
 #include <array>
@@ -250,7 +251,7 @@ namespace StickSlip
                         const unsigned int                  level,
                         Triangulation<dim>                 &mesh)
     {
-      std::vector<bool> is_needed(mesh.n_vertices(), false);
+      std::vector<bool> is_needed = vertices_on_sides(mesh, sides);
       for (const auto &cell : mesh.active_cell_iterators_on_level(level))
         {
           CellIterator<dim> unit = cell;
@@ -259,11 +260,6 @@ namespace StickSlip
           if (is_marked[unit->index()])
             for (const auto v : cell->vertex_indices())
               is_needed[cell->vertex_index(v)] = true;
-          if (cell->at_boundary())
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
-                for (const auto v : face->vertex_indices())
-                  is_needed[face->vertex_index(v)] = true;
         }
       for (const auto &cell : mesh.active_cell_iterators_on_level(level))
         for (const auto v : cell->vertex_indices())

@@ -35,14 +35,14 @@ namespace StickSlip
                      const MeshHierarchy<dim>       &meshes,
                      const std::vector<std::string> &body_names)
     {
-      const MeshLevel<dim> &finest = meshes.finest();
+      const MeshLevel<dim> &finest        = meshes.finest();
+      const MPI_Comm        all_processes = finest.nodes.communicator();
       MeshFigures           all;
       for (unsigned int i = 0; i < finest.bodies.size(); ++i)
         {
-          MeshFigures    one           = finest.bodies[i]->figures();
-          const MPI_Comm all_processes = finest.nodes.communicator();
-          one.smallest = Utilities::MPI::min(one.smallest, all_processes);
-          one.largest  = Utilities::MPI::max(one.largest, all_processes);
+          MeshFigures one = finest.bodies[i]->figures();
+          one.smallest    = Utilities::MPI::min(one.smallest, all_processes);
+          one.largest     = Utilities::MPI::max(one.largest, all_processes);
           add_figures(one,
                       summary.add_section("Mesh of body " + body_names[i]));
           all.n_vertices += one.n_vertices;
