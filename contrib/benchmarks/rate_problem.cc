@@ -16,7 +16,9 @@
  *
  * The error is that in the energy norm against TNNMG's solution with tolerance
  * 1e-13, relative to that. Bytes are what is allocated for matrices and solver,
- * without the meshes. --without-smoother leaves out the nonlinear smoother;
+ * without the meshes. Messages and sums are those of one solution, of the
+ * process that has sent most. --without-smoother leaves out the nonlinear
+ * smoother;
  * --amg solves the linearised problems by conjugate gradients with algebraic
  * multigrid. --costs measures what changes of the operator take. The column
  * converged tells whether the iteration has; there is no error exit if not.
@@ -31,6 +33,7 @@
 
 #include "coupled_problem.h"
 #include "linearisation_cost.h"
+#include "message_count.h"
 #include "rate_solver.h"
 
 namespace
@@ -121,10 +124,12 @@ namespace
                          Newmark<dim>().operator_coefficients(tau));
                        problem.hierarchy().take_over_operator();
                      }));
-          w          = 0.;
+          w = 0.;
+          reset_message_count();
           solve_time = std::min(solve_time, seconds([&]() {
                                   summary = solver->solve(*friction, rhs, w);
                                 }));
+          sent       = message_count();
         }
       solver_bytes = allocated_bytes() - bytes_before;
     }
@@ -183,6 +188,11 @@ namespace
       table.add("equilibrium_s", equilibrium_time);
       table.add("operator_s", operator_time);
       table.add("solve_s", solve_time);
+      table.add("messages", most(sent.messages));
+      table.add("message_bytes", most(sent.message_bytes));
+      table.add("receivers", most(sent.receivers));
+      table.add("sums", most(sent.sums));
+      table.add("sum_bytes", most(sent.sum_bytes));
       table.add("start_MiB", memory_at_start);
       table.add("meshes_MiB", coupled.memory_of_meshes);
       table.add("largest_MiB", largest_resident_size());
@@ -195,6 +205,13 @@ namespace
       if (task.costs)
         add_costs();
       table.end_row();
+    }
+
+    /** Of the process that has sent most. */
+    static std::uint64_t
+    most(const std::uint64_t count)
+    {
+      return Utilities::MPI::max(count, MPI_COMM_WORLD);
     }
 
     void
@@ -244,6 +261,7 @@ namespace
     NodalVector  rhs, w;
     SolveSummary summary;
     double       error = 0, solver_bytes = 0, operator_time = 0, solve_time = 0;
+    MessageCount sent;
 
     ResultTable table;
   };

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#include "message_count.h"
+
+#include <mpi.h>
+
+#include <set>
+
+namespace
+{
+  Measure::MessageCount total;
+  std::set<int>         receivers;
+
+  std::uint64_t
+  n_bytes(const int count, MPI_Datatype type)
+  {
+    int size = 0;
+    MPI_Type_size(type, &size);
+    return std::uint64_t(count) * size;
+  }
+
+  void
+  count_message(const int count, MPI_Datatype type, const int destination)
+  {
+    ++total.messages;
+    total.message_bytes += n_bytes(count, type);
+    receivers.insert(destination);
+  }
+} // namespace
+
+// PETSc has macros of these names.
+#undef MPI_Allreduce
+#undef MPI_Isend
+#undef MPI_Issend
+#undef MPI_Send
+
+extern "C"
+{
+  int
+  MPI_Allreduce(const void  *send,
+                void        *receive,
+                int          count,
+                MPI_Datatype type,
+                MPI_Op       operation,
+                MPI_Comm     communicator)
+  {
+    ++total.sums;
+    total.sum_bytes += n_bytes(count, type);
+    return PMPI_Allreduce(send, receive, count, type, operation, communicator);
+  }
+
+  int
+  MPI_Isend(const void  *data,
+            int          count,
+            MPI_Datatype type,
+            int          destination,
+            int          tag,
+            MPI_Comm     communicator,
+            MPI_Request *request)
+  {
+    count_message(count, type, destination);
+    return PMPI_Isend(
+      data, count, type, destination, tag, communicator, request);
+  }
+
+  int
+  MPI_Issend(const void  *data,
+             int          count,
+             MPI_Datatype type,
+             int          destination,
+             int          tag,
+             MPI_Comm     communicator,
+             MPI_Request *request)
+  {
+    count_message(count, type, destination);
+    return PMPI_Issend(
+      data, count, type, destination, tag, communicator, request);
+  }
+
+  int
+  MPI_Send(const void  *data,
+           int          count,
+           MPI_Datatype type,
+           int          destination,
+           int          tag,
+           MPI_Comm     communicator)
+  {
+    count_message(count, type, destination);
+    return PMPI_Send(data, count, type, destination, tag, communicator);
+  }
+}
+
+namespace Measure
+{
+  void
+  reset_message_count()
+  {
+    total = MessageCount();
+    receivers.clear();
+  }
+
+  MessageCount
+  message_count()
+  {
+    MessageCount result = total;
+    result.receivers    = receivers.size();
+    return result;
+  }
+} // namespace Measure
