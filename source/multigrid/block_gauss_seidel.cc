@@ -59,6 +59,8 @@ namespace StickSlip
         components.assign(n_rows, 0);
         diagonal.resize(std::size_t(n_rows) * n_components * n_components);
       }
+    if (patches.empty())
+      surplus = BorderSurplus<n_components, Number>(sparsity, !lines.empty());
     lower.row_start.reserve(n_rows + 1);
     upper.row_start.reserve(n_rows + 1);
     for (unsigned int i = 0; i < n_rows; ++i)
@@ -170,9 +172,7 @@ namespace StickSlip
     const Tensor<2, n_components> &block,
     const NodeMask                &active)
   {
-    if (has_lines())
-      factors.set_diagonal(i, block, active);
-    else if (has_patches())
+    if (has_patches())
       {
         components[i] = 0;
         for (unsigned int c = 0; c < n_components; ++c)
@@ -185,16 +185,46 @@ namespace StickSlip
                 block[c][d];
           }
         patch_factors.touch(i);
+        return;
       }
+
+    Tensor<2, n_components> inverse = invert_active(block, active, i);
+    double                  factor  = 1.;
+    if (surplus.has_row(i))
+      factor = surplus.set(i, block, inverse, couplings_to_ghosts(i));
+    if (has_lines())
+      factors.set_diagonal(i, factor * block, active);
     else
       {
-        const Tensor<2, n_components> inverse = invert_active(block, active, i);
-        Number                       *target  = inverse_diagonal.data() +
+        inverse /= factor;
+        Number *target = inverse_diagonal.data() +
                          std::size_t(i) * n_components * n_components;
         for (unsigned int c = 0; c < n_components; ++c)
           for (unsigned int d = 0; d < n_components; ++d)
             target[Kernels::sweep_position<n_components>(c, d)] = inverse[c][d];
       }
+  }
+
+
+
+  template <int n_components, typename Number>
+  std::vector<Tensor<2, n_components>>
+  BlockGaussSeidel<n_components, Number>::couplings_to_ghosts(
+    const unsigned int i) const
+  {
+    std::vector<Tensor<2, n_components>> result;
+    for (unsigned int k = upper.row_start[i]; k < upper.row_start[i + 1]; ++k)
+      if (upper.column[k] >= n_rows)
+        {
+          const Number *values =
+            upper.values.data() + std::size_t(k) * n_components * n_components;
+          result.emplace_back();
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
+              result.back()[c][d] =
+                values[Kernels::sweep_position<n_components>(c, d)];
+        }
+    return result;
   }
 
 
@@ -305,10 +335,13 @@ namespace StickSlip
     if (has_patches())
       residual_with_ghosts(r, x, b);
     else
-      Kernels::residual_after_sweep<n_components>(upper.rows(),
-                                                  n_rows,
-                                                  x.begin(),
-                                                  r.begin());
+      {
+        Kernels::residual_after_sweep<n_components>(upper.rows(),
+                                                    n_rows,
+                                                    x.begin(),
+                                                    r.begin());
+        surplus.add_product(x.begin(), r.begin());
+      }
   }
 
 
@@ -322,18 +355,20 @@ namespace StickSlip
   {
     update_ghosts(x);
     change = x;
+    const Number *with_surplus =
+      surplus.shifted(b.begin(), x.begin(), b.locally_owned_size());
     if (has_patches())
       for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
         relax_patch(p, b, x);
     else if (has_lines())
       for (unsigned int l = 0; l < factors.n_lines(); ++l)
-        relax_line(l, b, x);
+        relax_line(l, with_surplus, x);
     else
       Kernels::sweep_forward<n_components>(lower.rows(),
                                            upper.rows(),
                                            inverse_diagonal.data(),
                                            n_rows,
-                                           b.begin(),
+                                           with_surplus,
                                            x.begin());
     change.sadd(Number(-1.), Number(1.), x);
     update_ghosts(change);
@@ -355,6 +390,7 @@ namespace StickSlip
                                                     n_rows,
                                                     change.begin(),
                                                     r.begin());
+        surplus.add_product(change.begin(), r.begin());
         return;
       }
     // Ghosts of x and its change have been fetched in the sweep.
@@ -374,18 +410,20 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
+    const Number *with_surplus =
+      surplus.shifted(b.begin(), x.begin(), b.locally_owned_size());
     if (has_patches())
       for (unsigned int p = patch_factors.n_patches(); p-- > 0;)
         relax_patch(p, b, x);
     else if (has_lines())
       for (unsigned int l = factors.n_lines(); l-- > 0;)
-        relax_line(l, b, x);
+        relax_line(l, with_surplus, x);
     else
       Kernels::sweep_backward<n_components>(lower.rows(),
                                             upper.rows(),
                                             inverse_diagonal.data(),
                                             n_rows,
-                                            b.begin(),
+                                            with_surplus,
                                             x.begin());
   }
 
@@ -394,16 +432,16 @@ namespace StickSlip
   template <int n_components, typename Number>
   void
   BlockGaussSeidel<n_components, Number>::relax_line(
-    const unsigned int        l,
-    const NodeValues<Number> &b,
-    NodeValues<Number>       &x) const
+    const unsigned int  l,
+    const Number       *b,
+    NodeValues<Number> &x) const
   {
     const NodeLine &nodes = factors.nodes(l);
     Kernels::remainder_beside<n_components>(lower.rows(),
                                             upper.rows(),
                                             nodes.data(),
                                             nodes.size(),
-                                            b.begin(),
+                                            b,
                                             x.begin(),
                                             remainder.data());
     solve_line(l, x);
@@ -512,8 +550,8 @@ namespace StickSlip
     return lower.memory_consumption() + upper.memory_consumption() +
            sizeof(Number) *
              (inverse_diagonal.capacity() + diagonal.capacity()) +
-           factors.memory_consumption() + components.capacity() +
-           patch_factors.memory_consumption();
+           surplus.memory_consumption() + factors.memory_consumption() +
+           components.capacity() + patch_factors.memory_consumption();
   }
 
 

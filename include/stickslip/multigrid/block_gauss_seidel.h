@@ -7,6 +7,7 @@
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/sweep_kernels.h>
+#include <stickslip/multigrid/border_surplus.h>
 #include <stickslip/multigrid/line_factors.h>
 #include <stickslip/multigrid/patch_factors.h>
 
@@ -27,7 +28,8 @@ namespace StickSlip
    * passage through the matrix of its own.
    *
    * On several processes each acts on its own nodes, with the values of the
-   * others as they were before the sweep; CutPatches is for what that spoils.
+   * others as they were before the sweep; BorderSurplus and, with patches,
+   * CutPatches are for what that spoils.
    */
   template <int n_components, typename Number>
   class BlockGaussSeidel
@@ -65,7 +67,7 @@ namespace StickSlip
             const BlockMatrix<n_components, OtherNumber> &matrix);
 
     /** Set the diagonal block of a row, of which only the @p active components
-     * are used. */
+     * are used, after its other blocks. */
     void
     set_diagonal(const unsigned int             i,
                  const Tensor<2, n_components> &block,
@@ -134,11 +136,15 @@ namespace StickSlip
     Part *
     part_of(const unsigned int row, const unsigned int column);
 
+    /** The blocks of a row with ghosts. */
+    std::vector<Tensor<2, n_components>>
+    couplings_to_ghosts(const unsigned int i) const;
+
     /** Relax a line with the values of all others as they are. */
     void
-    relax_line(const unsigned int        l,
-               const NodeValues<Number> &b,
-               NodeValues<Number>       &x) const;
+    relax_line(const unsigned int  l,
+               const Number       *b,
+               NodeValues<Number> &x) const;
 
     /** x at its nodes from the remainder. */
     void
@@ -173,6 +179,8 @@ namespace StickSlip
     unsigned int          n_rows = 0;
     Part                  lower, upper;
     AlignedVector<Number> inverse_diagonal;
+    /** Without patches. */
+    BorderSurplus<n_components, Number> surplus;
     /** With lines, those of one node among them, in the order of the sweep. */
     LineFactors<n_components, Number> factors;
     /** With patches, those of one node among them, in the order of the sweep,
