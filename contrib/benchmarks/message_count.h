@@ -8,7 +8,7 @@
 
 namespace Measure
 {
-  /** What a process has sent since reset_message_count(). */
+  /** All that a process has sent since reset_message_count(). */
   struct MessageCount
   {
     std::uint64_t messages      = 0;
@@ -22,9 +22,9 @@ namespace Measure
   reset_message_count();
 
   /**
-   * All that this process has sent, by whichever library: the program takes the
-   * place of MPI's functions for sending and reducing, which MPI's profiling
-   * interface is for.
+   * The count of this process, of what has been sent by whichever library: the
+   * program takes the place of MPI's functions for sending and reducing, which
+   * MPI's profiling interface is for.
    */
   MessageCount
   message_count();
