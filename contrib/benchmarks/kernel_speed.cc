@@ -210,7 +210,7 @@ namespace
     void
     run_smoother()
     {
-      BlockGaussSeidel<dim, Number> smoother(matrix.sparsity());
+      BlockGaussSeidel<dim, Number> smoother(matrix.shared_sparsity());
       const NodeMask                all(n, dim);
       for (unsigned int i = 0; i < n; ++i)
         {

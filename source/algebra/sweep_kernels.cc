@@ -121,10 +121,12 @@ namespace StickSlip
               const unsigned int            row,
               const Number                 *x)
       {
-        for (unsigned int k = A.row_start[row]; k < A.row_start[row + 1]; ++k)
+        const unsigned int *column = A.column + A.column_start[row];
+        for (unsigned int k = A.row_start[row]; k < A.row_start[row + 1];
+             ++k, ++column)
           sum.add(A.values +
                     static_cast<unsigned long>(k) * n_components * n_components,
-                  x + static_cast<unsigned long>(A.column[k]) * n_components);
+                  x + static_cast<unsigned long>(*column) * n_components);
       }
 
 
@@ -138,11 +140,12 @@ namespace StickSlip
                        const unsigned int            row,
                        const Number                 *x)
       {
+        const unsigned int *column = A.column + A.column_start[row] +
+                                     (A.row_start[row + 1] - A.row_start[row]);
         for (unsigned int k = A.row_start[row + 1]; k > A.row_start[row]; --k)
           sum.add(A.values + static_cast<unsigned long>(k - 1) * n_components *
                                n_components,
-                  x +
-                    static_cast<unsigned long>(A.column[k - 1]) * n_components);
+                  x + static_cast<unsigned long>(*--column) * n_components);
       }
 
 

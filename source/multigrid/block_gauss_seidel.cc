@@ -3,6 +3,7 @@
 
 #include <stickslip/algebra/masked_entries.h>
 #include <stickslip/multigrid/block_gauss_seidel.h>
+#include <stickslip/multigrid/border_surplus.h>
 
 #include <algorithm>
 
@@ -37,19 +38,21 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   BlockGaussSeidel<n_components, Number>::BlockGaussSeidel(
-    const BlockSparsity          &sparsity,
-    const std::vector<NodeLine>  &lines,
-    const std::vector<NodePatch> &patches)
-    : n_rows(sparsity.n_rows())
+    const std::shared_ptr<const BlockSparsity> &sparsity,
+    const std::vector<NodeLine>                &lines,
+    const std::vector<NodePatch>               &patches)
+    : sparsity(sparsity)
+    , n_rows(sparsity->n_rows())
   {
     AssertThrow(lines.empty() || patches.empty(),
                 ExcMessage("Lines and patches exclude each other."));
     if (!lines.empty())
       {
         factors =
-          LineFactors<n_components, Number>(sparsity,
+          LineFactors<n_components, Number>(*sparsity,
                                             with_single_nodes(lines, n_rows));
         remainder.resize(factors.longest() * n_components);
+        sorted_columns = sparsity->column;
       }
     if (!patches.empty())
       {
@@ -59,24 +62,39 @@ namespace StickSlip
         components.assign(n_rows, 0);
         diagonal.resize(std::size_t(n_rows) * n_components * n_components);
       }
-    if (patches.empty())
-      surplus = BorderSurplus<n_components, Number>(sparsity, !lines.empty());
     lower.row_start.reserve(n_rows + 1);
     upper.row_start.reserve(n_rows + 1);
+    first_upper.reserve(n_rows);
     for (unsigned int i = 0; i < n_rows; ++i)
       {
-        for (unsigned int k = sparsity.row_start[i];
-             k < sparsity.row_start[i + 1];
-             ++k)
-          if (Part *part = part_of(i, sparsity.column[k]))
-            part->column.push_back(sparsity.column[k]);
-        lower.row_start.push_back(lower.column.size());
-        upper.row_start.push_back(upper.column.size());
+        const auto begin = sparsity->column.begin() + sparsity->row_start[i],
+                   end = sparsity->column.begin() + sparsity->row_start[i + 1];
+        const auto is_in = [&](const Part *part) {
+          return
+            [&, part](const unsigned int j) { return part_of(i, j) == part; };
+        };
+        const unsigned int n_lower = std::count_if(begin, end, is_in(&lower));
+        unsigned int       n_upper = std::count_if(begin, end, is_in(&upper));
+        if (has_lines())
+          {
+            auto next = sorted_columns.begin() + sparsity->row_start[i];
+            next      = std::copy_if(begin, end, next, is_in(&lower));
+            next    = std::copy_if(begin, end, next, [&](const unsigned int j) {
+              return j != i && part_of(i, j) == nullptr;
+            });
+            *next++ = i;
+            std::copy_if(begin, end, next, is_in(&upper));
+          }
+        // Before the others there is the surplus; ghosts have the largest
+        // numbers.
+        if (patches.empty() && *std::prev(end) >= n_rows)
+          ++n_upper;
+        lower.row_start.push_back(lower.row_start.back() + n_lower);
+        upper.row_start.push_back(upper.row_start.back() + n_upper);
+        first_upper.push_back(sparsity->row_start[i + 1] - n_upper);
       }
     for (Part *part : {&lower, &upper})
-      part->column.shrink_to_fit();
-    for (Part *part : {&lower, &upper})
-      part->values.resize(std::size_t(part->column.size()) * n_components *
+      part->values.resize(std::size_t(part->row_start.back()) * n_components *
                             n_components +
                           Kernels::sweep_padding);
     if (!has_lines() && !has_patches())
@@ -108,19 +126,24 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   Kernels::Triangle<Number>
-  BlockGaussSeidel<n_components, Number>::Part::rows() const
+  BlockGaussSeidel<n_components, Number>::lower_rows() const
   {
-    return {row_start.data(), column.data(), values.data()};
+    return {lower.row_start.data(),
+            sparsity->row_start.data(),
+            columns().data(),
+            lower.values.data()};
   }
 
 
 
   template <int n_components, typename Number>
-  Number *
-  BlockGaussSeidel<n_components, Number>::Part::first_of(const unsigned int row)
+  Kernels::Triangle<Number>
+  BlockGaussSeidel<n_components, Number>::upper_rows() const
   {
-    return values.data() +
-           std::size_t(row_start[row]) * n_components * n_components;
+    return {upper.row_start.data(),
+            first_upper.data(),
+            columns().data(),
+            upper.values.data()};
   }
 
 
@@ -132,8 +155,10 @@ namespace StickSlip
     const unsigned int                            i,
     const BlockMatrix<n_components, OtherNumber> &matrix)
   {
-    const BlockSparsity &sparsity = matrix.sparsity();
-    Number    *next_lower = lower.first_of(i), *next_upper = upper.first_of(i);
+    Number *next_lower = lower.values.data() + lower.first_value(i),
+           *next_upper = upper.values.data() + upper.first_value(i);
+    if (is_at_border(i))
+      next_upper += n_components * n_components;
     const auto copy = [&](Number *&target, const unsigned int k) {
       for (unsigned int c = 0; c < n_components; ++c)
         for (unsigned int d = 0; d < n_components; ++d)
@@ -141,13 +166,13 @@ namespace StickSlip
             matrix.block(k)[c * n_components + d];
       target += n_components * n_components;
     };
-    const unsigned int begin = sparsity.row_start[i],
-                       end   = sparsity.row_start[i + 1];
+    const unsigned int begin = sparsity->row_start[i],
+                       end   = sparsity->row_start[i + 1];
     if (!has_lines())
       {
-        for (unsigned int k = begin; k < sparsity.diagonal[i]; ++k)
+        for (unsigned int k = begin; k < sparsity->diagonal[i]; ++k)
           copy(next_lower, k);
-        for (unsigned int k = sparsity.diagonal[i] + 1; k < end; ++k)
+        for (unsigned int k = sparsity->diagonal[i] + 1; k < end; ++k)
           copy(next_upper, k);
         if (has_patches())
           patch_factors.touch(i);
@@ -155,7 +180,7 @@ namespace StickSlip
       }
     for (unsigned int k = begin; k < end; ++k)
       {
-        const unsigned int j = sparsity.column[k];
+        const unsigned int j = sparsity->column[k];
         if (const Part *part = part_of(i, j))
           copy(part == &lower ? next_lower : next_upper, k);
         else if (i != j)
@@ -190,8 +215,13 @@ namespace StickSlip
 
     Tensor<2, n_components> inverse = invert_active(block, active, i);
     double                  factor  = 1.;
-    if (surplus.has_row(i))
-      factor = surplus.set(i, block, inverse, couplings_to_ghosts(i));
+    if (is_at_border(i))
+      {
+        const double s =
+          border_surplus(inverse, couplings_to_ghosts(i), has_lines());
+        set_surplus(i, s * block);
+        factor += s;
+      }
     if (has_lines())
       factors.set_diagonal(i, factor * block, active);
     else
@@ -208,16 +238,40 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
+  bool
+  BlockGaussSeidel<n_components, Number>::is_at_border(
+    const unsigned int i) const
+  {
+    return upper.n_entries(i) > 0 && columns()[first_upper[i]] == i;
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::set_surplus(
+    const unsigned int             i,
+    const Tensor<2, n_components> &S)
+  {
+    Number *target = upper.values.data() + upper.first_value(i);
+    for (unsigned int c = 0; c < n_components; ++c)
+      for (unsigned int d = 0; d < n_components; ++d)
+        target[Kernels::sweep_position<n_components>(c, d)] = -S[c][d];
+  }
+
+
+
+  template <int n_components, typename Number>
   std::vector<Tensor<2, n_components>>
   BlockGaussSeidel<n_components, Number>::couplings_to_ghosts(
     const unsigned int i) const
   {
     std::vector<Tensor<2, n_components>> result;
-    for (unsigned int k = upper.row_start[i]; k < upper.row_start[i + 1]; ++k)
-      if (upper.column[k] >= n_rows)
+    for (unsigned int k = 0; k < upper.n_entries(i); ++k)
+      if (columns()[first_upper[i] + k] >= n_rows)
         {
-          const Number *values =
-            upper.values.data() + std::size_t(k) * n_components * n_components;
+          const Number *values = upper.values.data() + upper.first_value(i) +
+                                 std::size_t(k) * n_components * n_components;
           result.emplace_back();
           for (unsigned int c = 0; c < n_components; ++c)
             for (unsigned int d = 0; d < n_components; ++d)
@@ -266,12 +320,11 @@ namespace StickSlip
             block = diagonal.data() + std::size_t(i) * block_size;
           else
             {
-              const auto begin = lower.column.begin();
-              const auto found = std::find(begin + lower.row_start[i],
-                                           begin + lower.row_start[i + 1],
-                                           j);
-              block =
-                lower.values.data() + std::size_t(found - begin) * block_size;
+              const auto begin = columns().begin() + sparsity->row_start[i];
+              const auto found =
+                std::find(begin, begin + lower.n_entries(i), j);
+              block = lower.values.data() + lower.first_value(i) +
+                      std::size_t(found - begin) * block_size;
             }
           for (unsigned int c = 0; c < n_components; ++c)
             for (unsigned int d = 0; d < n_components; ++d)
@@ -308,7 +361,7 @@ namespace StickSlip
         for (unsigned int l = 0; l < factors.n_lines(); ++l)
           {
             const NodeLine &nodes = factors.nodes(l);
-            Kernels::remainder_below<n_components>(lower.rows(),
+            Kernels::remainder_below<n_components>(lower_rows(),
                                                    nodes.data(),
                                                    nodes.size(),
                                                    b.begin(),
@@ -319,7 +372,7 @@ namespace StickSlip
         return;
       }
     Kernels::sweep_from_zero<n_components>(
-      lower.rows(), inverse_diagonal.data(), n_rows, b.begin(), x.begin());
+      lower_rows(), inverse_diagonal.data(), n_rows, b.begin(), x.begin());
   }
 
 
@@ -335,13 +388,10 @@ namespace StickSlip
     if (has_patches())
       residual_with_ghosts(r, x, b);
     else
-      {
-        Kernels::residual_after_sweep<n_components>(upper.rows(),
-                                                    n_rows,
-                                                    x.begin(),
-                                                    r.begin());
-        surplus.add_product(x.begin(), r.begin());
-      }
+      Kernels::residual_after_sweep<n_components>(upper_rows(),
+                                                  n_rows,
+                                                  x.begin(),
+                                                  r.begin());
   }
 
 
@@ -355,20 +405,18 @@ namespace StickSlip
   {
     update_ghosts(x);
     change = x;
-    const Number *with_surplus =
-      surplus.shifted(b.begin(), x.begin(), b.locally_owned_size());
     if (has_patches())
       for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
         relax_patch(p, b, x);
     else if (has_lines())
       for (unsigned int l = 0; l < factors.n_lines(); ++l)
-        relax_line(l, with_surplus, x);
+        relax_line(l, b, x);
     else
-      Kernels::sweep_forward<n_components>(lower.rows(),
-                                           upper.rows(),
+      Kernels::sweep_forward<n_components>(lower_rows(),
+                                           upper_rows(),
                                            inverse_diagonal.data(),
                                            n_rows,
-                                           with_surplus,
+                                           b.begin(),
                                            x.begin());
     change.sadd(Number(-1.), Number(1.), x);
     update_ghosts(change);
@@ -386,11 +434,10 @@ namespace StickSlip
   {
     if (!has_patches())
       {
-        Kernels::residual_after_sweep<n_components>(upper.rows(),
+        Kernels::residual_after_sweep<n_components>(upper_rows(),
                                                     n_rows,
                                                     change.begin(),
                                                     r.begin());
-        surplus.add_product(change.begin(), r.begin());
         return;
       }
     // Ghosts of x and its change have been fetched in the sweep.
@@ -410,20 +457,18 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    const Number *with_surplus =
-      surplus.shifted(b.begin(), x.begin(), b.locally_owned_size());
     if (has_patches())
       for (unsigned int p = patch_factors.n_patches(); p-- > 0;)
         relax_patch(p, b, x);
     else if (has_lines())
       for (unsigned int l = factors.n_lines(); l-- > 0;)
-        relax_line(l, with_surplus, x);
+        relax_line(l, b, x);
     else
-      Kernels::sweep_backward<n_components>(lower.rows(),
-                                            upper.rows(),
+      Kernels::sweep_backward<n_components>(lower_rows(),
+                                            upper_rows(),
                                             inverse_diagonal.data(),
                                             n_rows,
-                                            with_surplus,
+                                            b.begin(),
                                             x.begin());
   }
 
@@ -432,16 +477,16 @@ namespace StickSlip
   template <int n_components, typename Number>
   void
   BlockGaussSeidel<n_components, Number>::relax_line(
-    const unsigned int  l,
-    const Number       *b,
-    NodeValues<Number> &x) const
+    const unsigned int        l,
+    const NodeValues<Number> &b,
+    NodeValues<Number>       &x) const
   {
     const NodeLine &nodes = factors.nodes(l);
-    Kernels::remainder_beside<n_components>(lower.rows(),
-                                            upper.rows(),
+    Kernels::remainder_beside<n_components>(lower_rows(),
+                                            upper_rows(),
                                             nodes.data(),
                                             nodes.size(),
-                                            b,
+                                            b.begin(),
                                             x.begin(),
                                             remainder.data());
     solve_line(l, x);
@@ -475,7 +520,7 @@ namespace StickSlip
     Number                   *s) const
   {
     Kernels::remainder_beside<n_components>(
-      lower.rows(), upper.rows(), rows, n, b.begin(), x.begin(), s);
+      lower_rows(), upper_rows(), rows, n, b.begin(), x.begin(), s);
     for (unsigned int k = 0; k < n; ++k)
       {
         const std::size_t first = std::size_t(rows[k]) * n_components;
@@ -537,7 +582,7 @@ namespace StickSlip
   std::size_t
   BlockGaussSeidel<n_components, Number>::Part::memory_consumption() const
   {
-    return sizeof(unsigned int) * (row_start.capacity() + column.capacity()) +
+    return sizeof(unsigned int) * row_start.capacity() +
            sizeof(Number) * values.capacity();
   }
 
@@ -548,10 +593,12 @@ namespace StickSlip
   BlockGaussSeidel<n_components, Number>::memory_consumption() const
   {
     return lower.memory_consumption() + upper.memory_consumption() +
+           sizeof(unsigned int) *
+             (first_upper.capacity() + sorted_columns.capacity()) +
            sizeof(Number) *
              (inverse_diagonal.capacity() + diagonal.capacity()) +
-           surplus.memory_consumption() + factors.memory_consumption() +
-           components.capacity() + patch_factors.memory_consumption();
+           factors.memory_consumption() + components.capacity() +
+           patch_factors.memory_consumption();
   }
 
 

@@ -185,7 +185,7 @@ namespace StickSlip
             }
         }
 
-    smoother = BlockGaussSeidel<n_components, Number>(*sparsity, {}, patches);
+    smoother = BlockGaussSeidel<n_components, Number>(sparsity, {}, patches);
     rhs      = NodePartition(complete_index_set(members.size()),
                         IndexSet(members.size()),
                         n_components,

@@ -77,7 +77,7 @@ namespace StickSlip
           patches.push_back({0});
       }
     level.smoother = BlockGaussSeidel<n_components, Number>(
-      sparsity,
+      terms.front().shared_sparsity(),
       patches.empty() ? find_strong_lines(sparsity,
                                           terms,
                                           description.fixed,

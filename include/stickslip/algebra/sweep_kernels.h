@@ -27,13 +27,16 @@ namespace StickSlip
     constexpr unsigned int sweep_padding = 4;
 
     /**
-     * The blocks on one side of the diagonal, row after row. Column indices
-     * refer to the local numbering of a vector.
+     * The blocks on one side of the diagonal, row after row: those of row i
+     * are row_start[i] <= k < row_start[i + 1], and its columns begin at
+     * column_start[i], so that they may be a part of those of a whole row.
+     * Column indices refer to the local numbering of a vector.
      */
     template <typename Number>
     struct Triangle
     {
       const unsigned int *row_start;
+      const unsigned int *column_start;
       const unsigned int *column;
       const Number       *values;
     };

@@ -7,7 +7,6 @@
 #include <stickslip/algebra/block_matrix.h>
 #include <stickslip/algebra/node_mask.h>
 #include <stickslip/algebra/sweep_kernels.h>
-#include <stickslip/multigrid/border_surplus.h>
 #include <stickslip/multigrid/line_factors.h>
 #include <stickslip/multigrid/patch_factors.h>
 
@@ -28,8 +27,10 @@ namespace StickSlip
    * passage through the matrix of its own.
    *
    * On several processes each acts on its own nodes, with the values of the
-   * others as they were before the sweep; BorderSurplus and, with patches,
-   * CutPatches are for what that spoils.
+   * others as they were before the sweep; CutPatches or, without patches, a
+   * surplus of the diagonal (border_surplus.h) are for what that spoils. A
+   * matrix is split as L + (D + S) + (U - S) then, and the first block of a
+   * row of the upper part is -S.
    */
   template <int n_components, typename Number>
   class BlockGaussSeidel
@@ -39,9 +40,10 @@ namespace StickSlip
 
     /** Nodes that are in none of the @p lines or @p patches, of which one are
      * empty, are relaxed alone. */
-    explicit BlockGaussSeidel(const BlockSparsity          &sparsity,
-                              const std::vector<NodeLine>  &lines   = {},
-                              const std::vector<NodePatch> &patches = {});
+    explicit BlockGaussSeidel(
+      const std::shared_ptr<const BlockSparsity> &sparsity,
+      const std::vector<NodeLine>                &lines   = {},
+      const std::vector<NodePatch>               &patches = {});
 
     bool
     has_lines() const
@@ -117,24 +119,50 @@ namespace StickSlip
     struct Part
     {
       std::vector<unsigned int> row_start = {0};
-      std::vector<unsigned int> column;
       AlignedVector<Number>     values;
 
-      Kernels::Triangle<Number>
-      rows() const;
+      /** Position of the first number of a row. */
+      std::size_t
+      first_value(const unsigned int row) const
+      {
+        return std::size_t(row_start[row]) * n_components * n_components;
+      }
 
-      /** The first block of a row. */
-      Number *
-      first_of(const unsigned int row);
+      unsigned int
+      n_entries(const unsigned int row) const
+      {
+        return row_start[row + 1] - row_start[row];
+      }
 
       std::size_t
       memory_consumption() const;
     };
 
+    /** The columns of the rows of the matrix, those of the lower part first and
+     * those of the upper part last. */
+    const std::vector<unsigned int> &
+    columns() const
+    {
+      return has_lines() ? sorted_columns : sparsity->column;
+    }
+
+    Kernels::Triangle<Number>
+    lower_rows() const;
+
+    Kernels::Triangle<Number>
+    upper_rows() const;
+
     /** The part of a coupling, empty if it belongs to a diagonal block or a
      * line. */
     Part *
     part_of(const unsigned int row, const unsigned int column);
+
+    /** True if a row has a surplus, which may be zero. */
+    bool
+    is_at_border(const unsigned int i) const;
+
+    void
+    set_surplus(const unsigned int i, const Tensor<2, n_components> &S);
 
     /** The blocks of a row with ghosts. */
     std::vector<Tensor<2, n_components>>
@@ -142,9 +170,9 @@ namespace StickSlip
 
     /** Relax a line with the values of all others as they are. */
     void
-    relax_line(const unsigned int  l,
-               const Number       *b,
-               NodeValues<Number> &x) const;
+    relax_line(const unsigned int        l,
+               const NodeValues<Number> &b,
+               NodeValues<Number>       &x) const;
 
     /** x at its nodes from the remainder. */
     void
@@ -176,11 +204,15 @@ namespace StickSlip
     void
     copy_patch(const unsigned int p, std::vector<double> &entries) const;
 
-    unsigned int          n_rows = 0;
-    Part                  lower, upper;
-    AlignedVector<Number> inverse_diagonal;
-    /** Without patches. */
-    BorderSurplus<n_components, Number> surplus;
+    std::shared_ptr<const BlockSparsity> sparsity;
+    unsigned int                         n_rows = 0;
+    /** With lines: the columns of each row, those of the lower part first, then
+     * those of its line with itself at their end. */
+    std::vector<unsigned int> sorted_columns;
+    Part                      lower, upper;
+    /** For each row the first column of the upper part. */
+    std::vector<unsigned int> first_upper;
+    AlignedVector<Number>     inverse_diagonal;
     /** With lines, those of one node among them, in the order of the sweep. */
     LineFactors<n_components, Number> factors;
     /** With patches, those of one node among them, in the order of the sweep,
