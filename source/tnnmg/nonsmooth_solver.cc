@@ -8,24 +8,9 @@
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace StickSlip
 {
-  namespace
-  {
-    /** All owned nodes. */
-    std::vector<unsigned int>
-    all_of(const NodePartition &nodes)
-    {
-      std::vector<unsigned int> result(nodes.n_owned());
-      std::iota(result.begin(), result.end(), 0u);
-      return result;
-    }
-  } // namespace
-
-
-
   template <int n_components>
   NonsmoothSolver<n_components>::NonsmoothSolver(
     const Unknowns        &unknowns,
@@ -37,8 +22,6 @@ namespace StickSlip
     , force(residual)
     , correction(residual)
     , A_correction(residual)
-    , previous(residual)
-    , all_nodes(all_of(unknowns.nodes))
   {}
 
 
@@ -117,7 +100,11 @@ namespace StickSlip
     const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
     sweeps_everywhere =
       last_was_slow || (!is_shared && unknowns.nodes.n_global() < few_nodes);
-    copy_blocks<n_components>(swept_nodes(), w, previous);
+    // Until there is a correction, its places serve the smoother.
+    NodalVector &before = A_correction, &change = correction;
+    for_each_swept_entry([&](const unsigned int i) {
+      before.local_element(i) = w.local_element(i);
+    });
     new_residual = residual;
     if (parameters.nonlinear_smoothing)
       sweep(functional, sweeps_everywhere, w, new_residual);
@@ -126,11 +113,11 @@ namespace StickSlip
     // The quadratic part of J changes by -d . r + d . A d / 2 over a change d
     // of w, where r = b - A w, and A d is the change of -r. In one message with
     // what the correction begins with, as if the smoother were good.
-    LinearProblem problem                    = truncate(functional, w);
-    NodalVector  &change                     = correction;
-    const auto [downwards_here, square_here] = find_smoothing(w, change);
-    const auto smoother_slope                = [&](const double s) {
-      return is_shared ? slope_of(functional, nodes, previous, change, s) : 0.;
+    LinearProblem problem = truncate(functional, w);
+    const auto [downwards_here, square_here] =
+      find_smoothing(before, w, change);
+    const auto smoother_slope = [&](const double s) {
+      return is_shared ? slope_of(functional, nodes, before, change, s) : 0.;
     };
     const auto [downwards,
                 change_square,
@@ -143,7 +130,7 @@ namespace StickSlip
       sums<8>(
         {{downwards_here,
           square_here,
-          increase(functional, nodes, w, previous),
+          increase(functional, nodes, w, before),
           smoother_slope(0.),
           smoother_slope(1.),
           is_shared ? local_product(w, b) - local_product(w, new_residual) : 0.,
@@ -166,6 +153,7 @@ namespace StickSlip
         shorten_smoothing(functional,
                           {downwards, change_square},
                           {slope_before, slope_after},
+                          before,
                           w,
                           summary);
         problem = agreed(truncate(functional, w));
@@ -179,35 +167,38 @@ namespace StickSlip
     const auto slope_here = [&](const double t) {
       return slope_of(functional, nodes, w, correction, t);
     };
-    const std::array<double, 2> full = squares_after(b, w, 1.);
-    auto [linear,
-          curvature,
-          slope_at_start,
-          slope_at_end,
-          n_truncated,
-          change_of_all,
-          iterate_of_all] = sums<7>({{local_product(correction, new_residual),
-                                      local_product(correction, A_correction),
-                                      slope_here(0.),
-                                      slope_here(1.),
-                                      double(problem.n_truncated),
-                                      full[0],
-                                      full[1]}},
-                                    communicator);
-    summary.n_truncated   = std::lround(n_truncated);
+    const auto [both_here, iterate_here, along_here] = products_of_step(b, w);
+    const auto [linear,
+                curvature,
+                slope_at_start,
+                slope_at_end,
+                n_truncated,
+                both,
+                iterate_square,
+                along]  = sums<8>({{local_product(correction, new_residual),
+                                    local_product(correction, A_correction),
+                                    slope_here(0.),
+                                    slope_here(1.),
+                                    double(problem.n_truncated),
+                                    both_here,
+                                    iterate_here,
+                                    along_here}},
+                                 communicator);
+    summary.n_truncated = std::lround(n_truncated);
     const LineSearchResult line_search = step_length_of(
       slope_here, slope_at_start, slope_at_end, linear, curvature);
     const double t                  = line_search.step_length;
     summary.step_length             = t;
     summary.line_search_evaluations = line_search.evaluations;
-    if (t != 1.)
-      {
-        const auto shorter = sums<2>(squares_after(b, w, t), communicator);
-        change_of_all      = shorter[0];
-        iterate_of_all     = shorter[1];
-      }
-    summary.correction_norm = std::sqrt(std::abs(change_of_all));
-    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
+    const double s                  = summary.smoother_step_length;
+    // A step of length zero may be no number.
+    const auto square_after = [&](const double square, const double product) {
+      return t > 0. ? square + 2. * t * product + t * t * curvature : square;
+    };
+    summary.correction_norm =
+      std::sqrt(std::abs(square_after(s * s * change_square, both)));
+    summary.iterate_norm =
+      std::sqrt(std::abs(square_of_rest + square_after(iterate_square, along)));
     last_was_slow =
       t < 0.5 || summary.correction_norm > 0.5 * last_correction_norm;
     last_correction_norm = summary.correction_norm;
@@ -216,8 +207,8 @@ namespace StickSlip
     // iterate.
     if (t > 0.)
       {
-        NodalVector &before = force;
-        copy_blocks<n_components>(nodes, w, before);
+        NodalVector &before_step = force;
+        copy_blocks<n_components>(nodes, w, before_step);
         w.add(t, correction);
         project(functional, nodes, w);
         if (t == 1.)
@@ -228,7 +219,7 @@ namespace StickSlip
         if (with_correction_decrease)
           summary.correction_decrease =
             t * linear - 0.5 * t * t * curvature -
-            Utilities::MPI::sum(increase(functional, nodes, w, before),
+            Utilities::MPI::sum(increase(functional, nodes, w, before_step),
                                 communicator);
       }
     residual.swap(new_residual);
@@ -238,13 +229,29 @@ namespace StickSlip
 
 
   template <int n_components>
+  template <typename Action>
+  void
+  NonsmoothSolver<n_components>::for_each_swept_entry(
+    const Action &action) const
+  {
+    if (!sweeps_everywhere)
+      for_each_entry<n_components>(unknowns.nonsmooth_nodes, action);
+    else
+      for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
+        action(i);
+  }
+
+
+
+  template <int n_components>
   std::pair<double, double>
-  NonsmoothSolver<n_components>::find_smoothing(const NodalVector &w,
+  NonsmoothSolver<n_components>::find_smoothing(const NodalVector &before,
+                                                const NodalVector &w,
                                                 NodalVector       &change) const
   {
     double downwards = 0., square = 0.;
-    for_each_entry<n_components>(swept_nodes(), [&](const unsigned int i) {
-      const double its_change = w.local_element(i) - previous.local_element(i);
+    for_each_swept_entry([&](const unsigned int i) {
+      const double its_change = w.local_element(i) - before.local_element(i);
       change.local_element(i) = its_change;
       downwards += its_change * residual.local_element(i);
       square += its_change *
@@ -374,30 +381,21 @@ namespace StickSlip
 
 
   template <int n_components>
-  std::array<double, 2>
-  NonsmoothSolver<n_components>::squares_after(const NodalVector &b,
-                                               const NodalVector &w,
-                                               const double       t) const
+  std::array<double, 3>
+  NonsmoothSolver<n_components>::products_of_step(const NodalVector &b,
+                                                  const NodalVector &w) const
   {
-    // A times the change is that of -r. Steps of length zero may be no numbers.
-    const auto step_of = [t](const NodalVector &vector, const unsigned int i) {
-      return t > 0. ? t * vector.local_element(i) : 0.;
-    };
-    const auto r_after = [&](const unsigned int i) {
-      return new_residual.local_element(i) - step_of(A_correction, i);
-    };
-    const unsigned int    n      = w.locally_owned_size();
-    std::array<double, 2> result = {{0., 0.}};
-    for (unsigned int i = 0; i < n; ++i)
+    std::array<double, 3> result = {{0., 0., 0.}};
+    for (unsigned int i = 0; i < w.locally_owned_size(); ++i)
       {
-        const double step = step_of(correction, i), r = r_after(i);
-        result[0] += step * (residual.local_element(i) - r);
-        result[1] += (w.local_element(i) + step) * (b.local_element(i) - r);
+        const double r   = new_residual.local_element(i),
+                     A_w = b.local_element(i) - r;
+        // A times the change by the smoother is that of -r.
+        result[0] +=
+          correction.local_element(i) * (residual.local_element(i) - r);
+        result[1] += w.local_element(i) * A_w;
+        result[2] += correction.local_element(i) * A_w;
       }
-    for_each_entry<n_components>(swept_nodes(), [&](const unsigned int i) {
-      result[0] += (w.local_element(i) - previous.local_element(i)) *
-                   (residual.local_element(i) - r_after(i));
-    });
     return result;
   }
 
@@ -409,6 +407,7 @@ namespace StickSlip
     const NonsmoothFunctional<n_components> &functional,
     const std::pair<double, double>         &quadratic_part,
     const std::pair<double, double>         &slopes,
+    const NodalVector                       &before,
     NodalVector                             &w,
     IterationSummary                        &summary)
   {
@@ -416,27 +415,25 @@ namespace StickSlip
     const MPI_Comm                   communicator = w.get_mpi_communicator();
     const NodalVector               &change       = correction;
     const auto [downwards, square]                = quadratic_part;
-    const double t =
-      step_length_of(
-        [&](const double s) {
-          return slope_of(functional, nodes, previous, change, s);
-        },
-        slopes.first,
-        slopes.second,
-        downwards,
-        square)
-        .step_length;
+    const double t                                = step_length_of(
+                       [&](const double s) {
+                         return slope_of(functional, nodes, before, change, s);
+                       },
+                       slopes.first,
+                       slopes.second,
+                       downwards,
+                       square)
+                       .step_length;
     summary.smoother_step_length = t;
-    for_each_entry<n_components>(swept_nodes(), [&](const unsigned int i) {
+    for_each_swept_entry([&](const unsigned int i) {
       w.local_element(i) =
-        previous.local_element(i) + t * change.local_element(i);
+        before.local_element(i) + t * change.local_element(i);
     });
     project(functional, nodes, w);
     new_residual.sadd(t, 1. - t, residual);
     summary.smoother_decrease =
       t * downwards - 0.5 * t * t * square -
-      Utilities::MPI::sum(increase(functional, nodes, w, previous),
-                          communicator);
+      Utilities::MPI::sum(increase(functional, nodes, w, before), communicator);
   }
 
 

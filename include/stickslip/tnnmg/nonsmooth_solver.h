@@ -179,12 +179,11 @@ namespace StickSlip
     bool   sweeps_everywhere    = false;
     double last_correction_norm = std::numeric_limits<double>::infinity();
 
-    /** The nodes that the sweep goes over. */
-    const std::vector<unsigned int> &
-    swept_nodes() const
-    {
-      return sweeps_everywhere ? all_nodes : unknowns.nonsmooth_nodes;
-    }
+    /** Carry out @p action for the local indices of all components of the nodes
+     * that the sweep goes over. */
+    template <typename Action>
+    void
+    for_each_swept_entry(const Action &action) const;
 
     /** The linearised problem at an iterate with its new_residual, and what
      * processes agree on: the right hand side, the negative gradient of J
@@ -199,11 +198,13 @@ namespace StickSlip
       bool   is_outdated = false;
     };
 
-    /** The change by the smoother, from previous to @p w, at the swept nodes,
+    /** The change by the smoother, from @p before to @p w, at the swept nodes,
      * and its products with the residual before it and with A times
      * itself, of this process. */
     std::pair<double, double>
-    find_smoothing(const NodalVector &w, NodalVector &change) const;
+    find_smoothing(const NodalVector &before,
+                   const NodalVector &w,
+                   NodalVector       &change) const;
 
     /** Step 2 at the iterate @p w, for this process. */
     LinearProblem
@@ -214,15 +215,13 @@ namespace StickSlip
     LinearProblem
     agreed(LinearProblem here) const;
 
-    /** The squares of the energy norms of the change of the iterate by the
-     * smoother and @p t times the correction, and of the new iterate, which is
-     * @p w plus the latter, without square_of_rest; of this process. */
-    std::array<double, 2>
-    squares_after(const NodalVector &b,
-                  const NodalVector &w,
-                  const double       t) const;
+    /** Scalar products in the energy norm, of this process: of the correction
+     * and the change by the smoother, of the iterate @p w with itself, and of
+     * the correction and the iterate. */
+    std::array<double, 3>
+    products_of_step(const NodalVector &b, const NodalVector &w) const;
 
-    /** Shorten the change of the smoother, which goes from previous to @p w,
+    /** Shorten the change by the smoother, which goes from @p before to @p w,
      * so that J does not increase. @p quadratic_part: the products of the
      * change with the residual before it and with A times itself; @p slopes of
      * phi at both ends. Returns the part of it that is left. */
@@ -230,6 +229,7 @@ namespace StickSlip
     shorten_smoothing(const NonsmoothFunctional<n_components> &functional,
                       const std::pair<double, double>         &quadratic_part,
                       const std::pair<double, double>         &slopes,
+                      const NodalVector                       &before,
                       NodalVector                             &w,
                       IterationSummary                        &summary);
 
@@ -253,9 +253,6 @@ namespace StickSlip
 
     std::vector<Tensor<2, n_components>> diagonal_blocks;
     NodalVector new_residual, force, correction, A_correction;
-    /** The iterate before the sweep, at swept_nodes(). */
-    NodalVector                     previous;
-    const std::vector<unsigned int> all_nodes;
 
     bool with_correction_decrease = false;
   };
