@@ -10,6 +10,7 @@
 #include "opening_layers.h"
 #include "pressed_sphere.h"
 #include "random_vectors.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -28,16 +29,6 @@ namespace
       if (touches(engine))
         active.mask(p, dim - 1);
     return active;
-  }
-
-  /** Without friction. */
-  template <int dim>
-  void
-  linearise(LevelHierarchy<dim> &hierarchy, const NodeMask &active)
-  {
-    hierarchy.linearise(std::vector<Tensor<2, dim>>(
-                          hierarchy.finest().nonsmooth_nodes.size()),
-                        active);
   }
 
 
@@ -99,7 +90,7 @@ namespace
           {
             const NodeMask active =
               random_contact(hierarchy.finest(), probability);
-            linearise(hierarchy, active);
+            linearise_without_friction(hierarchy, active);
             const double       factor = convergence_factor(hierarchy, active);
             const unsigned int steps =
               cg_iterations(hierarchy,
@@ -165,13 +156,13 @@ namespace
           layers.problem.combine(Newmark<dim>().operator_coefficients(tau));
           const NodeMask active =
             random_contact(hierarchy.finest(), probability);
-          linearise(hierarchy, active);
+          linearise_without_friction(hierarchy, active);
           OperatorSum<dim>    only_A(hand_down(hierarchy, active).back(),
                                   {hierarchy.operators().matrix()});
           LevelHierarchy<dim> anew(only_A, hand_down(hierarchy, active));
           anew.set_cycle_precision(CyclePrecision::double_precision);
           only_A.combine({1.});
-          linearise(anew, active);
+          linearise_without_friction(anew, active);
 
           const NodalVector b = random_vector(hierarchy.finest(), active);
           NodalVector       x = b, y = b, a = b;

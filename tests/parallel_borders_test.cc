@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <random>
 
 #include "linear_iterations.h"
 #include "opening_layers.h"
 #include "parallel_comparison.h"
+#include "random_vectors.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -35,20 +36,15 @@ namespace
     OpeningLayers<3>   layers(blocks, false, false, communicator, 1);
     LevelHierarchy<3> &hierarchy = layers.problem.hierarchy();
     layers.problem.combine(Newmark<3>().operator_coefficients(1e-1));
-    NodeMask active = hierarchy.finest().fixed;
-    for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
-      for (unsigned int c = 0; c < 2; ++c)
-        active.mask(p, c);
-    hierarchy.linearise(std::vector<Tensor<2, 3>>(
-                          hierarchy.finest().nonsmooth_nodes.size()),
-                        active);
-    std::mt19937 engine(3 + Utilities::MPI::this_mpi_process(communicator));
-    std::normal_distribution<double> normal;
-    NodalVector                      x = layers.problem.make_vector();
-    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
-      x.local_element(i) = normal(engine);
-    active.apply(x);
-    return cg_iterations(hierarchy, x);
+    std::mt19937   engine;
+    const NodeMask active =
+      random_truncation(hierarchy.finest(), /*probability=*/1., engine);
+    linearise_without_friction(hierarchy, active);
+    return cg_iterations(hierarchy,
+                         random_vector(hierarchy.finest(),
+                                       active,
+                                       Utilities::MPI::this_mpi_process(
+                                         communicator)));
   }
 } // namespace
 

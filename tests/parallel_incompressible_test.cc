@@ -10,6 +10,7 @@
 #include "linear_iterations.h"
 #include "random_vectors.h"
 #include "stuck_faults.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -53,9 +54,7 @@ namespace
       {
         scene.problem.combine(coefficients);
         const LevelDescription<2> &finest = hierarchy.finest();
-        hierarchy.linearise(std::vector<Tensor<2, 2>>(
-                              finest.nonsmooth_nodes.size()),
-                            finest.fixed);
+        linearise_without_friction(hierarchy, finest.fixed);
         NodalVector b = finest.nodes.make_vector();
         for (unsigned int i = 0; i < finest.nodes.n_owned(); ++i)
           for (unsigned int c = 0; c < 2; ++c)
@@ -105,9 +104,7 @@ TEST(ParallelIncompressible, CyclesAreSymmetric)
                               Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
           const NodeMask active =
             random_truncation(hierarchy.finest(), probability, engine);
-          hierarchy.linearise(std::vector<Tensor<2, 2>>(
-                                hierarchy.finest().nonsmooth_nodes.size()),
-                              active);
+          linearise_without_friction(hierarchy, active);
           for (const unsigned int sweeps : {1, 2})
             {
               hierarchy.set_smoothing_sweeps(sweeps);

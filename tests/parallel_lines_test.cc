@@ -9,6 +9,8 @@
 #include "linear_iterations.h"
 #include "opening_layers.h"
 #include "parallel_comparison.h"
+#include "random_vectors.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -144,20 +146,15 @@ TEST(ParallelLines, TakeTheStepsOfOneProcess)
   layers.problem.combine(Newmark<2>().operator_coefficients(1e-1));
   for (const bool is_stuck : {false, true})
     {
-      NodeMask active = hierarchy.finest().fixed;
-      if (is_stuck)
-        for (const unsigned int p : hierarchy.finest().nonsmooth_nodes)
-          active.mask(p, 0);
-      hierarchy.linearise(std::vector<Tensor<2, 2>>(
-                            hierarchy.finest().nonsmooth_nodes.size()),
-                          active);
-      std::mt19937 engine(3 + Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-      std::normal_distribution<double> normal;
-      NodalVector                      x = layers.problem.make_vector();
-      for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
-        x.local_element(i) = normal(engine);
-      active.apply(x);
-      const unsigned int n = cg_iterations(hierarchy, x);
+      std::mt19937   engine;
+      const NodeMask active =
+        random_truncation(hierarchy.finest(), is_stuck ? 1. : 0., engine);
+      linearise_without_friction(hierarchy, active);
+      const unsigned int n = cg_iterations(
+        hierarchy,
+        random_vector(hierarchy.finest(),
+                      active,
+                      Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)));
       EXPECT_LE(n, 14u);
       if (is_first())
         std::cout << n << " steps\n";

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "stuck_faults.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 
@@ -79,9 +80,7 @@ namespace
     {
       LevelHierarchy<dim> &hierarchy = problem.hierarchy();
       problem.combine({0., 0., 1.});
-      hierarchy.linearise(std::vector<Tensor<2, dim>>(
-                            hierarchy.finest().nonsmooth_nodes.size()),
-                          hierarchy.finest().fixed);
+      Tests::linearise_without_friction(hierarchy, hierarchy.finest().fixed);
       const NodalVector load = problem.load(0.);
       NodalVector       rhs = load, w = problem.make_vector();
       hierarchy.finest().fixed.apply(rhs);

@@ -8,6 +8,7 @@
 
 #include "layered_slider.h"
 #include "linear_iterations.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -42,8 +43,7 @@ namespace
               if (is_truncated(engine))
                 for (const unsigned int c : {0, 1})
                   active.mask(p, c);
-            hierarchy.linearise(std::vector<Tensor<2, 3>>(jumps.size()),
-                                active);
+            linearise_without_friction(hierarchy, active);
             NodalVector x = slider.problem.make_vector();
             for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
               x.local_element(i) = normal(engine);

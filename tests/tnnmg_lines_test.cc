@@ -14,6 +14,7 @@
 #include "linear_iterations.h"
 #include "random_vectors.h"
 #include "stuck_faults.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -36,9 +37,7 @@ namespace
     std::mt19937   engine(5);
     const NodeMask active =
       random_truncation(hierarchy.finest(), probability, engine);
-    hierarchy.linearise(std::vector<Tensor<2, 2>>(
-                          hierarchy.finest().nonsmooth_nodes.size()),
-                        active);
+    linearise_without_friction(hierarchy, active);
     return active;
   }
 

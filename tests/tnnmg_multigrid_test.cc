@@ -9,6 +9,7 @@
 #include "nan_in_debug_mode.h"
 #include "random_vectors.h"
 #include "serial_matrices.h"
+#include "without_friction.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -41,9 +42,7 @@ namespace
   void
   truncate(LevelHierarchy<2> &hierarchy, const NodeMask &active)
   {
-    hierarchy.linearise(std::vector<Tensor<2, 2>>(
-                          hierarchy.finest().nonsmooth_nodes.size()),
-                        active);
+    linearise_without_friction(hierarchy, active);
   }
 
 

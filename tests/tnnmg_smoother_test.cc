@@ -124,7 +124,8 @@ namespace
     RandomSystem<n_components> system;
     const double precision = 1e3 * std::numeric_limits<Number>::epsilon();
 
-    BlockGaussSeidel<n_components, Number> smoother(system.matrix.sparsity());
+    BlockGaussSeidel<n_components, Number> smoother(
+      system.matrix.shared_sparsity());
     for (unsigned int i = 0; i < system.n_nodes; ++i)
       {
         smoother.set_row(i, system.matrix);
