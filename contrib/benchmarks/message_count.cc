@@ -5,12 +5,9 @@
 
 #include <mpi.h>
 
-#include <set>
-
 namespace
 {
   Measure::MessageCount total;
-  std::set<int>         receivers;
 
   std::uint64_t
   n_bytes(const int count, MPI_Datatype type)
@@ -19,21 +16,11 @@ namespace
     MPI_Type_size(type, &size);
     return std::uint64_t(count) * size;
   }
-
-  void
-  count_message(const int count, MPI_Datatype type, const int destination)
-  {
-    ++total.messages;
-    total.message_bytes += n_bytes(count, type);
-    receivers.insert(destination);
-  }
 } // namespace
 
 // PETSc has macros of these names.
 #undef MPI_Allreduce
 #undef MPI_Isend
-#undef MPI_Issend
-#undef MPI_Send
 
 extern "C"
 {
@@ -59,35 +46,10 @@ extern "C"
             MPI_Comm     communicator,
             MPI_Request *request)
   {
-    count_message(count, type, destination);
+    ++total.messages;
+    total.message_bytes += n_bytes(count, type);
     return PMPI_Isend(
       data, count, type, destination, tag, communicator, request);
-  }
-
-  int
-  MPI_Issend(const void  *data,
-             int          count,
-             MPI_Datatype type,
-             int          destination,
-             int          tag,
-             MPI_Comm     communicator,
-             MPI_Request *request)
-  {
-    count_message(count, type, destination);
-    return PMPI_Issend(
-      data, count, type, destination, tag, communicator, request);
-  }
-
-  int
-  MPI_Send(const void  *data,
-           int          count,
-           MPI_Datatype type,
-           int          destination,
-           int          tag,
-           MPI_Comm     communicator)
-  {
-    count_message(count, type, destination);
-    return PMPI_Send(data, count, type, destination, tag, communicator);
   }
 }
 
@@ -97,14 +59,11 @@ namespace Measure
   reset_message_count()
   {
     total = MessageCount();
-    receivers.clear();
   }
 
   MessageCount
   message_count()
   {
-    MessageCount result = total;
-    result.receivers    = receivers.size();
-    return result;
+    return total;
   }
 } // namespace Measure

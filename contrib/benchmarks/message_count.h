@@ -8,12 +8,12 @@
 
 namespace Measure
 {
-  /** All that a process has sent since reset_message_count(). */
+  /** Messages without waiting, and sums over processes, in which a process took
+   * part since reset_message_count(). */
   struct MessageCount
   {
     std::uint64_t messages      = 0;
     std::uint64_t message_bytes = 0;
-    std::uint64_t receivers     = 0;
     std::uint64_t sums          = 0;
     std::uint64_t sum_bytes     = 0;
   };
@@ -22,9 +22,9 @@ namespace Measure
   reset_message_count();
 
   /**
-   * The count of this process, of what has been sent by whichever library: the
-   * program takes the place of MPI's functions for sending and reducing, which
-   * MPI's profiling interface is for.
+   * The count of this process, of what any library has sent: the program takes
+   * the place of MPI_Isend and MPI_Allreduce, which MPI's profiling interface
+   * is for. No part of a rate problem uses others.
    */
   MessageCount
   message_count();

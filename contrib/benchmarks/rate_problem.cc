@@ -190,7 +190,6 @@ namespace
       table.add("solve_s", solve_time);
       table.add("messages", most(sent.messages));
       table.add("message_bytes", most(sent.message_bytes));
-      table.add("receivers", most(sent.receivers));
       table.add("sums", most(sent.sums));
       table.add("sum_bytes", most(sent.sum_bytes));
       table.add("start_MiB", memory_at_start);
