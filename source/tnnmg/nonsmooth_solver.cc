@@ -159,6 +159,13 @@ namespace StickSlip
         problem = agreed(truncate(functional, w));
       }
 
+    smoothing.clear();
+    smoothing.reserve(sweeps_everywhere ? w.locally_owned_size() :
+                                          nodes.size() * n_components);
+    for_each_swept_entry([&](const unsigned int i) {
+      smoothing.push_back(w.local_element(i) - before.local_element(i));
+    });
+
     std::vector<BoundComponent> at_bound;
     summary.cycles = find_correction(functional, w, problem, at_bound);
 
@@ -167,38 +174,35 @@ namespace StickSlip
     const auto slope_here = [&](const double t) {
       return slope_of(functional, nodes, w, correction, t);
     };
-    const auto [both_here, iterate_here, along_here] = products_of_step(b, w);
-    const auto [linear,
-                curvature,
-                slope_at_start,
-                slope_at_end,
-                n_truncated,
-                both,
-                iterate_square,
-                along]  = sums<8>({{local_product(correction, new_residual),
-                                    local_product(correction, A_correction),
-                                    slope_here(0.),
-                                    slope_here(1.),
-                                    double(problem.n_truncated),
-                                    both_here,
-                                    iterate_here,
-                                    along_here}},
-                                 communicator);
-    summary.n_truncated = std::lround(n_truncated);
+    const std::array<double, 2> full = squares_after(b, w, 1.);
+    auto [linear,
+          curvature,
+          slope_at_start,
+          slope_at_end,
+          n_truncated,
+          change_of_all,
+          iterate_of_all] = sums<7>({{local_product(correction, new_residual),
+                                      local_product(correction, A_correction),
+                                      slope_here(0.),
+                                      slope_here(1.),
+                                      double(problem.n_truncated),
+                                      full[0],
+                                      full[1]}},
+                                    communicator);
+    summary.n_truncated   = std::lround(n_truncated);
     const LineSearchResult line_search = step_length_of(
       slope_here, slope_at_start, slope_at_end, linear, curvature);
     const double t                  = line_search.step_length;
     summary.step_length             = t;
     summary.line_search_evaluations = line_search.evaluations;
-    const double s                  = summary.smoother_step_length;
-    // A step of length zero may be no number.
-    const auto square_after = [&](const double square, const double product) {
-      return t > 0. ? square + 2. * t * product + t * t * curvature : square;
-    };
-    summary.correction_norm =
-      std::sqrt(std::abs(square_after(s * s * change_square, both)));
-    summary.iterate_norm =
-      std::sqrt(std::abs(square_of_rest + square_after(iterate_square, along)));
+    if (t != 1.)
+      {
+        const auto shorter = sums<2>(squares_after(b, w, t), communicator);
+        change_of_all      = shorter[0];
+        iterate_of_all     = shorter[1];
+      }
+    summary.correction_norm = std::sqrt(std::abs(change_of_all));
+    summary.iterate_norm = std::sqrt(std::abs(square_of_rest + iterate_of_all));
     last_was_slow =
       t < 0.5 || summary.correction_norm > 0.5 * last_correction_norm;
     last_correction_norm = summary.correction_norm;
@@ -381,21 +385,30 @@ namespace StickSlip
 
 
   template <int n_components>
-  std::array<double, 3>
-  NonsmoothSolver<n_components>::products_of_step(const NodalVector &b,
-                                                  const NodalVector &w) const
+  std::array<double, 2>
+  NonsmoothSolver<n_components>::squares_after(const NodalVector &b,
+                                               const NodalVector &w,
+                                               const double       t) const
   {
-    std::array<double, 3> result = {{0., 0., 0.}};
-    for (unsigned int i = 0; i < w.locally_owned_size(); ++i)
+    // A times the change is that of -r. Steps of length zero may be no numbers.
+    const auto step_of = [t](const NodalVector &vector, const unsigned int i) {
+      return t > 0. ? t * vector.local_element(i) : 0.;
+    };
+    const auto r_after = [&](const unsigned int i) {
+      return new_residual.local_element(i) - step_of(A_correction, i);
+    };
+    const unsigned int    n      = w.locally_owned_size();
+    std::array<double, 2> result = {{0., 0.}};
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const double r   = new_residual.local_element(i),
-                     A_w = b.local_element(i) - r;
-        // A times the change by the smoother is that of -r.
-        result[0] +=
-          correction.local_element(i) * (residual.local_element(i) - r);
-        result[1] += w.local_element(i) * A_w;
-        result[2] += correction.local_element(i) * A_w;
+        const double step = step_of(correction, i), r = r_after(i);
+        result[0] += step * (residual.local_element(i) - r);
+        result[1] += (w.local_element(i) + step) * (b.local_element(i) - r);
       }
+    auto swept = smoothing.begin();
+    for_each_swept_entry([&](const unsigned int i) {
+      result[0] += *swept++ * (residual.local_element(i) - r_after(i));
+    });
     return result;
   }
 

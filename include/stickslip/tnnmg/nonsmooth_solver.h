@@ -215,11 +215,13 @@ namespace StickSlip
     LinearProblem
     agreed(LinearProblem here) const;
 
-    /** Scalar products in the energy norm, of this process: of the correction
-     * and the change by the smoother, of the iterate @p w with itself, and of
-     * the correction and the iterate. */
-    std::array<double, 3>
-    products_of_step(const NodalVector &b, const NodalVector &w) const;
+    /** The squares of the energy norms of the change of the iterate by the
+     * smoother and @p t times the correction, and of the new iterate, which is
+     * @p w plus the latter, without square_of_rest; of this process. */
+    std::array<double, 2>
+    squares_after(const NodalVector &b,
+                  const NodalVector &w,
+                  const double       t) const;
 
     /** Shorten the change by the smoother, which goes from @p before to @p w,
      * so that J does not increase. @p quadratic_part: the products of the
@@ -253,6 +255,8 @@ namespace StickSlip
 
     std::vector<Tensor<2, n_components>> diagonal_blocks;
     NodalVector new_residual, force, correction, A_correction;
+    /** The change by the sweep, one swept entry after the other. */
+    std::vector<double> smoothing;
 
     bool with_correction_decrease = false;
   };
