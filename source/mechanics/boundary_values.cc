@@ -50,6 +50,30 @@ namespace StickSlip
         if (axes[d][c] != 0.)
           load.local_element(node * n_components + d) += axes[d][c] * force;
     }
+
+
+
+    /** Let all processes know what is masked in the strip along the faults, of
+     * which each has the cells around its own nodes. Collective. */
+    template <int dim>
+    void
+    share_at_faults(const MeshLevel<dim> &level, NodeMask &mask)
+    {
+      const unsigned int n_components = level.nodes.n_components();
+      if (Utilities::MPI::n_mpi_processes(level.nodes.communicator()) == 1)
+        return;
+      std::vector<unsigned int> is_masked;
+      is_masked.reserve(level.strip().n_elements() * n_components);
+      for (const types::global_dof_index node : level.strip())
+        for (unsigned int c = 0; c < n_components; ++c)
+          is_masked.push_back(!mask.is_active(node, c));
+      Utilities::MPI::max(is_masked, level.nodes.communicator(), is_masked);
+      auto next = is_masked.begin();
+      for (const types::global_dof_index node : level.strip())
+        for (unsigned int c = 0; c < n_components; ++c)
+          if (*next++ && mask.is_active(node, c))
+            mask.mask(node, c);
+    }
   } // namespace
 
 
@@ -279,6 +303,7 @@ namespace StickSlip
             if (const auto node = level.global_node(side.body, dof);
                 mask.is_active(node, c) && turned_nodes.count(node) == 0)
               mask.mask(node, c);
+    share_at_faults(level, mask);
     return mask;
   }
 

@@ -126,14 +126,18 @@ namespace StickSlip
     , rigid(body.rigid)
     , couples_patches(body.couples_patches)
     , whole_sides(sides_at_faults)
+    , kept_sides(body.whole_sides)
     , coarse_cells(body.cells)
     , coarser_cells(body.coarser_cells)
   {
-    whole_sides.insert(body.whole_sides.begin(), body.whole_sides.end());
     // Bound nodes on one of two joined sides name those on the other.
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
-        whole_sides.insert({2 * axis, 2 * axis + 1});
+        kept_sides.insert({2 * axis, 2 * axis + 1});
+    // Nodes that these have in common with faults.
+    if (!kept_sides.empty())
+      kept_sides.insert(sides_at_faults.begin(), sides_at_faults.end());
+    whole_sides.insert(kept_sides.begin(), kept_sides.end());
     if constexpr (dim == 3)
       if (coarse_cells->all_reference_cells_are_simplex())
         {
@@ -184,6 +188,7 @@ namespace StickSlip
     , rigid(units->rigid)
     , couples_patches(units->couples_patches)
     , whole_sides(units->whole_sides)
+    , kept_sides(units->kept_sides)
     , coarse_cells(units->coarse_cells)
     , coarser_cells(units->coarser_cells)
     , units(units)
@@ -229,6 +234,7 @@ namespace StickSlip
     , rigid(finer.rigid)
     , couples_patches(finer.couples_patches)
     , whole_sides(finer.whole_sides)
+    , kept_sides(finer.kept_sides)
     , coarse_cells(finer.coarse_cells)
     , coarser_cells(finer.coarser_cells)
     , red_refinements(finer.red_refinements)
@@ -276,6 +282,7 @@ namespace StickSlip
     , rigid(whole.rigid)
     , couples_patches(whole.couples_patches)
     , whole_sides(whole.whole_sides)
+    , kept_sides(whole.kept_sides)
   {
     PartialMesh<dim> kept(*whole.mesh, is_kept);
     mesh = kept.mesh;
@@ -477,9 +484,9 @@ namespace StickSlip
 
   template <int dim>
   std::vector<bool>
-  BodyMesh<dim>::vertices_on_whole_sides() const
+  BodyMesh<dim>::vertices_on_kept_sides() const
   {
-    return vertices_on_sides(*mesh, whole_sides);
+    return vertices_on_sides(*mesh, kept_sides);
   }
 
 

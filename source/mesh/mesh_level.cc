@@ -248,12 +248,14 @@ namespace StickSlip
   void
   MeshLevel<dim>::keep_own_cells()
   {
-    std::vector<std::vector<bool>> is_kept, is_on_whole_side;
+    std::vector<std::vector<bool>> is_kept, is_on_kept_side;
     for (const auto &body : bodies)
       {
         is_kept.emplace_back(body->triangulation().n_active_cells(), false);
-        is_on_whole_side.push_back(body->vertices_on_whole_sides());
+        is_on_kept_side.push_back(body->vertices_on_kept_sides());
       }
+    std::vector<unsigned int> first_real(bodies.size(),
+                                         numbers::invalid_unsigned_int);
     for_each_patch(
       *this,
       [&](const unsigned int                          body,
@@ -262,6 +264,8 @@ namespace StickSlip
         const auto is_owned = [&](const types::global_dof_index node) {
           return nodes.owned().is_element(node);
         };
+        first_real[body] =
+          std::min(first_real[body], cells.front()->active_cell_index());
         bool is_wanted =
           std::any_of(its_nodes.begin(), its_nodes.end(), is_owned);
         // Hanging nodes are not among those that they are bound to.
@@ -275,9 +279,14 @@ namespace StickSlip
             std::any_of(cell->vertex_indices().begin(),
                         cell->vertex_indices().end(),
                         [&](const unsigned int v) {
-                          return is_on_whole_side[body][cell->vertex_index(v)];
+                          return is_on_kept_side[body][cell->vertex_index(v)];
                         });
       });
+    // No mesh is empty.
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (std::find(is_kept[b].begin(), is_kept[b].end(), true) ==
+          is_kept[b].end())
+        is_kept[b][first_real[b]] = true;
 
     std::vector<types::global_dof_index>                   first = {0}, numbers;
     std::unordered_map<types::global_dof_index, GlobalRow> rows;

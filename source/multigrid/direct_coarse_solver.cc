@@ -7,9 +7,8 @@
 #include <Amesos_BaseSolver.h>
 #include <Epetra_LinearProblem.h>
 #include <Teuchos_ParameterList.hpp>
+#include <stickslip/algebra/mumps_factorisation.h>
 #include <stickslip/multigrid/direct_coarse_solver.h>
-
-#include <string>
 
 namespace StickSlip
 {
@@ -21,15 +20,11 @@ namespace StickSlip
 
 
     std::unique_ptr<Amesos_BaseSolver>
-    make_factorisation(const Epetra_LinearProblem &problem,
-                       const unsigned int          n)
+    make_klu(const Epetra_LinearProblem &problem)
     {
-      Amesos            factory;
-      const std::string name =
-        n >= large_matrix && factory.Query("Amesos_Mumps") ? "Amesos_Mumps" :
-                                                             "Amesos_Klu";
-      std::unique_ptr<Amesos_BaseSolver> result(factory.Create(name, problem));
-      AssertThrow(result, ExcMessage("This Trilinos lacks " + name + "."));
+      std::unique_ptr<Amesos_BaseSolver> result(
+        Amesos().Create("Amesos_Klu", problem));
+      AssertThrow(result, ExcMessage("This Trilinos lacks KLU."));
       // KLU keeps the pivots of the first factors: the matrix is symmetric and
       // positive definite, and any would do.
       Teuchos::ParameterList parameters;
@@ -57,14 +52,29 @@ namespace StickSlip
     const BlockMatrix<n_components> &matrix,
     const NodeMask                  &mask)
   {
+    if (matrix.n_rows() * n_components >= large_matrix)
+      {
+        if (!mumps)
+          mumps = std::make_unique<MumpsFactorisation<n_components>>();
+        try
+          {
+            mumps->set_matrix(matrix, mask);
+          }
+        catch (const SingularMatrix &)
+          {
+            throw SingularCoarseMatrix();
+          }
+        return;
+      }
+
     const SilentErrors silence;
     if (system.set_matrix(matrix, mask))
       {
-        factorisation = make_factorisation(system.problem(), system.size());
-        if (factorisation->SymbolicFactorization() != 0)
+        klu = make_klu(system.problem());
+        if (klu->SymbolicFactorization() != 0)
           throw SingularCoarseMatrix();
       }
-    if (factorisation->NumericFactorization() != 0)
+    if (klu->NumericFactorization() != 0)
       throw SingularCoarseMatrix();
   }
 
@@ -74,8 +84,13 @@ namespace StickSlip
   void
   DirectCoarseSolver<n_components>::solve(NodalVector &x, const NodalVector &b)
   {
+    if (mumps)
+      {
+        mumps->solve(x, b);
+        return;
+      }
     system.set_rhs(b);
-    const int error = factorisation->Solve();
+    const int error = klu->Solve();
     AssertThrow(error == 0,
                 ExcMessage("The factors of the coarsest matrix are of no "
                            "use."));

@@ -15,23 +15,32 @@ namespace StickSlip
   namespace
   {
     /** The shear modulus of a body on one of its sides, Pa: the mean over the
-     * nodes there, if it varies. One for a rigid body, where nobody asks. */
+     * nodes there, if it varies. One for a rigid body, where nobody asks.
+     * Collective. */
     template <int dim>
     double
-    shear_modulus(const BodyMesh<dim>     &body,
-                  const types::boundary_id side,
-                  const MaterialFields    &material)
+    shear_modulus(const MeshLevel<dim> &level,
+                  const BodySide       &part,
+                  const MaterialFields &material)
     {
+      const BodyMesh<dim> &body = *level.bodies[part.body];
       if (body.is_rigid())
         return 1.;
       if (material.are_constant())
         return material.constants().shear_modulus();
-      const auto function = material.function<dim>();
-      double     sum      = 0;
-      const auto points   = body.surface(side).points;
-      for (const Point<dim> &point : points)
-        sum += function(point).shear_modulus();
-      return sum / points.size();
+      const auto              function = material.function<dim>();
+      const FaultSurface<dim> surface  = body.surface(part.side);
+      double                  sum = 0., n_nodes = 0.;
+      for (unsigned int k = 0; k < surface.nodes.size(); ++k)
+        if (level.nodes.owned().is_element(
+              level.global_node(part.body, surface.nodes[k])))
+          {
+            sum += function(surface.points[k]).shear_modulus();
+            n_nodes += 1.;
+          }
+      const MPI_Comm communicator = level.nodes.communicator();
+      return Utilities::MPI::sum(sum, communicator) /
+             Utilities::MPI::sum(n_nodes, communicator);
     }
 
 
@@ -45,9 +54,7 @@ namespace StickSlip
     {
       double sum = 0;
       for (const BodySide &part : parts)
-        sum += shear_modulus(*level.bodies[part.body],
-                             part.side,
-                             materials[part.body]);
+        sum += shear_modulus(level, part, materials[part.body]);
       return sum / parts.size();
     }
 

@@ -45,7 +45,9 @@ namespace StickSlip
                    const std::vector<std::string>            &body_names);
 
     /** The components on level @p l whose velocity is prescribed, over the
-     * global numbers of all nodes, and along the axes of frames(). */
+     * global numbers of all nodes, and along the axes of frames(). On several
+     * processes those of nodes near the faults and of one's own cells.
+     * Collective. */
     NodeMask
     dirichlet_mask(const unsigned int l) const;
 

@@ -124,10 +124,10 @@ namespace StickSlip
     }
 
     /** For each vertex of the triangulation, if it is on a side that every
-     * process has as a whole: one at a fault, with directions that are asked
-     * for, or joined to another. */
+     * process keeps as a whole: one with directions that are asked for, or
+     * joined to another, and on such bodies also one at a fault. */
     std::vector<bool>
-    vertices_on_whole_sides() const;
+    vertices_on_kept_sides() const;
 
     /** True if both meshes are refined from the same coarse cells. */
     bool
@@ -253,7 +253,9 @@ namespace StickSlip
     bool                        rigid;
     bool                        couples_patches;
 
-    std::set<types::boundary_id> whole_sides;
+    /** Sides that every process has as a whole while meshes are made, and those
+     * that it needs after that. */
+    std::set<types::boundary_id> whole_sides, kept_sides;
 
     /** Numbers in the whole mesh, if only part of it is here. */
     struct Part

@@ -49,8 +49,9 @@ namespace StickSlip
               const unsigned int n_components = dim);
 
     /** Keep the patches that touch an owned node, the cells that touch a side
-     * which every process has as a whole, and rigid bodies; forget the others
-     * and their nodes. */
+     * which every process needs as a whole, rigid bodies, and a cell of each
+     * other; forget the others and their nodes. Surfaces and strip go on to be
+     * those of all faults. */
     void
     keep_own_cells();
 

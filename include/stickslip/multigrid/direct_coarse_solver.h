@@ -4,6 +4,7 @@
 #ifndef stickslip_multigrid_direct_coarse_solver_h
 #define stickslip_multigrid_direct_coarse_solver_h
 
+#include <stickslip/algebra/sparse_factorisation.h>
 #include <stickslip/algebra/trilinos_system.h>
 #include <stickslip/multigrid/coarse_solver.h>
 
@@ -12,8 +13,8 @@ class Amesos_BaseSolver;
 namespace StickSlip
 {
   /**
-   * Factorisation through Amesos of Trilinos: by KLU, or by MUMPS for large
-   * matrices. What depends on the sparsity alone is done once.
+   * Factorisation by KLU through Amesos of Trilinos, or of large matrices by
+   * MUMPS. What depends on the sparsity alone is done once.
    */
   template <int n_components>
   class DirectCoarseSolver : public CoarseSolver<n_components>
@@ -32,7 +33,9 @@ namespace StickSlip
 
   private:
     TrilinosSystem<n_components>       system;
-    std::unique_ptr<Amesos_BaseSolver> factorisation;
+    std::unique_ptr<Amesos_BaseSolver> klu;
+    /** In place of both for large matrices. */
+    std::unique_ptr<SparseFactorisation<n_components>> mumps;
   };
 } // namespace StickSlip
 
