@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the stickslip authors
 """Measure one rate problem on several numbers of processes.
 
-Usage: contrib/scaling [--quick | --large]
+Usage: contrib/scaling [--quick | --large | --weak]
 
 Writes
 doc/data/scaling.csv and the tables between the marks in doc/parallel.md; with
@@ -13,6 +13,10 @@ nothing else to do.
 
 --large measures problems in three dimensions of up to 1e7 unknowns on two processes,
 in ten minutes and 22 GiB of memory, and writes doc/data/large.csv and their table.
+
+--weak measures problems that grow with the number of processes, 1 to 16, in five
+minutes and 15 GiB of memory, and writes doc/data/weak_scaling.csv, their table, and
+that of a model of many processes, which takes its times from doc/data/large.csv.
 """
 
 import csv
@@ -20,11 +24,13 @@ import dataclasses
 import subprocess
 import sys
 
+from benchmarks import weak_scaling
 from common import csv_file, page, programs
 
 PAGE = programs.PROJECT / "doc/parallel.md"
 DATA = programs.PROJECT / "doc/data/scaling.csv"
 LARGE_DATA = programs.PROJECT / "doc/data/large.csv"
+WEAK_DATA = programs.PROJECT / "doc/data/weak_scaling.csv"
 
 
 @dataclasses.dataclass
@@ -200,13 +206,38 @@ def write_large_table(rows):
     print(f"{PAGE} and {LARGE_DATA} are written.")
 
 
+def measure_weak():
+    rows = []
+    for coarse_cells, refinements, n_processes in weak_scaling.SEQUENCE:
+        problem = inviscid_blocks(coarse_cells, refinements)
+        rows.append(measure(problem, n_processes, "--repetitions", "1"))
+        print(f"{n_processes} processes: {rows[-1]['largest_MiB']} MiB", flush=True)
+    csv_file.write(WEAK_DATA, rows[0].keys(), rows)
+    write_weak_tables(rows)
+
+
+def write_weak_tables(rows):
+    large = csv_file.read(LARGE_DATA)
+    page.replace_section(
+        "growing problems", weak_scaling.table(rows), PAGE, "contrib/scaling --weak"
+    )
+    # Two with the same coarse cells.
+    text = weak_scaling.prediction(rows, large[1:3])
+    page.replace_section("many processes", text, PAGE, "contrib/scaling --weak")
+    print(f"{PAGE} and {WEAK_DATA} are written.")
+
+
 def main():
     parser = programs.argument_parser(__doc__)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--large", action="store_true")
+    parser.add_argument("--weak", action="store_true")
     arguments = parser.parse_args()
     if arguments.large:
         measure_large()
+        return 0
+    if arguments.weak:
+        measure_weak()
         return 0
 
     measured, text = [], [f"\nMeasured on: {programs.machine()}.\n"]
