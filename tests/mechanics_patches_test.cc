@@ -162,7 +162,7 @@ TEST(CellPatches, StressIsThatOfTheirMeanStrain)
     return patch_dilatations(meshes.finest(), 0, displacement);
   };
   const VolumeContent content =
-    collect_volume(meshes.finest(), state, {of_volume}, {VolumeField::stress});
+    own_volume(meshes.finest(), state, {of_volume}, {VolumeField::stress});
   const auto values = [&](const std::string &name) -> const auto &
   {
     return std::find_if(content.of_cells.begin(),

@@ -55,6 +55,18 @@ namespace StickSlip
 
 
 
+    /** True if pieces of fields are in a folder of this name. */
+    bool
+    is_folder_of_pieces(const std::filesystem::path &name)
+    {
+      const std::string text = name.filename().string(), begin = "solution_";
+      return text.rfind(begin, 0) == 0 && text.size() > begin.size() &&
+             text.find_first_not_of("0123456789", begin.size()) ==
+               std::string::npos;
+    }
+
+
+
     /** True if a run, or a figure of it, has this name. */
     bool
     is_result(const std::filesystem::path &name)
@@ -74,7 +86,8 @@ namespace StickSlip
                                                   "stations",
                                                   "run.png",
                                                   "run.html"};
-      return names.count(name.filename().string()) > 0 || is_field_file(name);
+      return names.count(name.filename().string()) > 0 || is_field_file(name) ||
+             is_folder_of_pieces(name);
     }
   } // namespace
 
@@ -87,7 +100,8 @@ namespace StickSlip
     for (const auto &item : std::filesystem::directory_iterator(path))
       if (is_result(item.path()) &&
           (item.is_regular_file() || item.path().filename() == "checkpoints" ||
-           item.path().filename() == "stations"))
+           item.path().filename() == "stations" ||
+           is_folder_of_pieces(item.path())))
         found.push_back(item.path());
     return found;
   }
@@ -109,12 +123,17 @@ namespace StickSlip
   {
     std::set<std::string> names;
     for (const auto &entry : kept)
-      names.insert(entry.second);
+      {
+        names.insert(entry.second);
+        // Folder of its pieces.
+        names.insert(std::filesystem::path(entry.second).stem().string());
+      }
     std::error_code error;
     for (const std::filesystem::path &item : results())
       if (item.filename() == "summary.txt" ||
-          (is_field_file(item) && names.count(item.filename().string()) == 0))
-        std::filesystem::remove(item, error);
+          ((is_field_file(item) || is_folder_of_pieces(item)) &&
+           names.count(item.filename().string()) == 0))
+        std::filesystem::remove_all(item, error);
   }
 
 

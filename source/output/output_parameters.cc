@@ -136,6 +136,13 @@ namespace StickSlip
       "stress (elastic part, Pa, tension positive), strain (without unit), "
       "the place of the body in Bodies/Names, from zero, and the material, as "
       "far as it varies in any body.");
+    add_switch(prm,
+               "Volume pieces",
+               volume_pieces,
+               "Whether each process writes its part of the bodies into a VTU "
+               "file of its own, which a PVTU file joins: for large meshes on "
+               "many processes. Otherwise one process writes all, up to 2 GB "
+               "a field, the same for any number of processes.");
     add_cadence(prm,
                 "Volume",
                 volume_cadence,

@@ -6,7 +6,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <stickslip/algebra/serial_order.h>
-#include <stickslip/output/atomic_file.h>
 #include <stickslip/output/volume_writer.h>
 
 #include <algorithm>
@@ -64,8 +63,8 @@ namespace StickSlip
                 continue;
               index = points.size();
               points.push_back(level.serial_node(body, dof));
-              for (unsigned int d = 0; d < dim; ++d)
-                positions.push_back(cell->vertex(v)[d]);
+              for (unsigned int d = 0; d < 3; ++d)
+                positions.push_back(d < dim ? cell->vertex(v)[d] : 0.);
               rows.push_back(level.resolve(body, dof));
             }
         });
@@ -108,8 +107,7 @@ namespace StickSlip
         return values;
       }
 
-      /** The points of each cell in the order of VTK by their serial numbers;
-       * -1 stands for those that its shape has not. */
+      /** See VolumeContent::corners. */
       std::vector<std::int64_t>
       connectivity() const
       {
@@ -118,8 +116,7 @@ namespace StickSlip
           const std::vector<unsigned int> order =
             vtk_order<dim>(cell->reference_cell());
           for (const unsigned int v : order)
-            result.push_back(
-              level.serial_node(body, cell->vertex_dof_index(v, 0)));
+            result.push_back(point(body, cell->vertex_dof_index(v, 0)));
           result.resize(result.size() + vertices_per_cell - order.size(), -1);
         });
         return result;
@@ -130,7 +127,8 @@ namespace StickSlip
 
       const MeshLevel<dim> &level;
 
-      /** Serial numbers, and positions of the points, m. */
+      /** Serial numbers, and positions of the points, three numbers each,
+       * m. */
       std::vector<types::global_dof_index> cells, points;
       std::vector<double>                  positions;
 
@@ -152,33 +150,6 @@ namespace StickSlip
       std::vector<std::vector<unsigned int>> index_of_dof;
       std::vector<GlobalRow>                 rows;
     };
-
-
-
-    /** The grid of all bodies on the first process, empty on the others. */
-    template <int dim>
-    VtuGrid
-    collect_grid(const OwnVolume<dim> &own,
-                 const SerialOrder    &points,
-                 const SerialOrder    &cells)
-    {
-      const std::vector<double> positions = points.gather(own.positions, dim);
-      const std::vector<std::int64_t> corners =
-        cells.gather(own.connectivity(), own.vertices_per_cell);
-      VtuGrid grid;
-      for (auto x = positions.begin(); x != positions.end(); x += dim)
-        {
-          Point<dim> point;
-          std::copy_n(x, dim, point.begin_raw());
-          grid.add_point(point);
-        }
-      for (auto first = corners.begin(); first != corners.end();
-           first += own.vertices_per_cell)
-        grid.add_cell(dim,
-                      {first,
-                       std::find(first, first + own.vertices_per_cell, -1)});
-      return grid;
-    }
 
 
 
@@ -250,16 +221,14 @@ namespace StickSlip
 
 
 
-    /** The fields of all cells. */
+    /** The fields of the cells. */
     template <int dim>
     class CellFields
     {
     public:
       CellFields(const OwnVolume<dim>              &own,
-                 const SerialOrder                 &order,
                  std::vector<VolumeContent::Field> &fields)
         : own(own)
-        , order(order)
         , fields(fields)
       {}
 
@@ -274,7 +243,7 @@ namespace StickSlip
         own.for_each_cell([&](const unsigned int body, const auto &cell) {
           values.push_back(value(body, cell->center()));
         });
-        fields.push_back({name, 1, order.gather(values, 1), units});
+        fields.push_back({name, 1, values, units});
       }
 
       /** Entries of tensors of the cells, each as numbers by the name with the
@@ -297,16 +266,13 @@ namespace StickSlip
               values.reserve(tensors.size());
               for (const SymmetricTensor<2, 3> &tensor : tensors)
                 values.push_back(tensor[c][d]);
-              fields.push_back({name + "_" + axes[c] + axes[d],
-                                1,
-                                order.gather(values, 1),
-                                units});
+              fields.push_back(
+                {name + "_" + axes[c] + axes[d], 1, values, units});
             }
       }
 
     private:
       const OwnVolume<dim>              &own;
-      const SerialOrder                 &order;
       std::vector<VolumeContent::Field> &fields;
     };
   } // namespace
@@ -315,23 +281,24 @@ namespace StickSlip
 
   template <int dim>
   VolumeContent
-  collect_volume(const MeshLevel<dim>                   &level,
-                 const VolumeState                      &state,
-                 const std::vector<VolumeMaterial<dim>> &materials,
-                 const std::vector<VolumeField>         &wanted)
+  own_volume(const MeshLevel<dim>                   &level,
+             const VolumeState                      &state,
+             const std::vector<VolumeMaterial<dim>> &materials,
+             const std::vector<VolumeField>         &wanted)
   {
     const OwnVolume<dim> own(level);
-    const MPI_Comm       communicator = level.nodes.communicator();
-    const SerialOrder    points(own.points, level.n_nodes(), communicator),
-      cells(own.cells, level.n_cells(), communicator);
-
-    VolumeContent content;
-    content.grid = collect_grid(own, points, cells);
+    VolumeContent        content;
+    content.points    = own.points;
+    content.cells     = own.cells;
+    content.dimension = dim;
+    content.n_corners = own.vertices_per_cell;
+    content.positions = own.positions;
+    content.corners   = own.connectivity();
 
     const auto add_vectors = [&](const std::string         &name,
                                  const std::vector<double> &values,
                                  const std::string         &units) {
-      content.of_points.push_back({name, 3, points.gather(values, 3), units});
+      content.of_points.push_back({name, 3, values, units});
     };
     const bool with_stress       = has_field(wanted, VolumeField::stress),
                with_strain       = has_field(wanted, VolumeField::strain),
@@ -346,7 +313,7 @@ namespace StickSlip
     if (has_field(wanted, VolumeField::acceleration))
       add_vectors("acceleration", own.at_points(state.acceleration), "m/s^2");
 
-    const CellFields<dim> of_cells(own, cells, content.of_cells);
+    const CellFields<dim> of_cells(own, content.of_cells);
     if (with_stress || with_strain)
       {
         const std::vector<SymmetricTensor<2, 3>> strains =
@@ -375,27 +342,40 @@ namespace StickSlip
 
 
 
-  std::string
-  write_volume(const std::string              &directory,
-               const unsigned int              number,
-               const double                    time,
-               const VolumeContent            &content,
-               const std::vector<std::string> &body_names)
+  template <int dim>
+  VolumeContent
+  gather_volume(const MeshLevel<dim> &level, const VolumeContent &own)
   {
-    VtuFile file(content.grid, time, VtuFile::Precision::simple);
-    file.add_names("body_names", body_names);
-    for (const auto &[name, n_components, values, units] : content.of_points)
-      file.add_point_data(name, n_components, values, units);
-    for (const auto &[name, n_components, values, units] : content.of_cells)
-      file.add_cell_data(name, n_components, values, units);
-    const std::string file_name =
-      "solution_" + Utilities::int_to_string(number, 5) + ".vtu";
-    write_file_atomically(directory + "/" + file_name, file.text());
-    return file_name;
+    const MPI_Comm    communicator = level.nodes.communicator();
+    const SerialOrder points(own.points, level.n_nodes(), communicator),
+      cells(own.cells, level.n_cells(), communicator);
+    std::vector<std::int64_t> corners = own.corners;
+    for (std::int64_t &corner : corners)
+      if (corner >= 0)
+        corner = own.points[corner];
+
+    VolumeContent all;
+    all.dimension     = own.dimension;
+    all.n_corners     = own.n_corners;
+    all.positions     = points.gather(own.positions, 3);
+    all.corners       = cells.gather(corners, own.n_corners);
+    const auto gather = [](const SerialOrder                       &order,
+                           const std::vector<VolumeContent::Field> &fields) {
+      std::vector<VolumeContent::Field> result;
+      for (const auto &[name, n_components, values, units] : fields)
+        result.push_back(
+          {name, n_components, order.gather(values, n_components), units});
+      return result;
+    };
+    all.of_points = gather(points, own.of_points);
+    all.of_cells  = gather(cells, own.of_cells);
+    return all;
   }
 
 
 
-  template decltype(collect_volume<2>) collect_volume<2>;
-  template decltype(collect_volume<3>) collect_volume<3>;
+  template decltype(own_volume<2>)    own_volume<2>;
+  template decltype(own_volume<3>)    own_volume<3>;
+  template decltype(gather_volume<2>) gather_volume<2>;
+  template decltype(gather_volume<3>) gather_volume<3>;
 } // namespace StickSlip

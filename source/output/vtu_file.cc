@@ -184,6 +184,7 @@ namespace StickSlip
   {
     AssertDimension(values.size(), grid.n_points() * n_components);
     point_data += array(name, n_components, values, units);
+    point_declarations += declaration(name, n_components);
   }
 
 
@@ -196,6 +197,7 @@ namespace StickSlip
   {
     AssertDimension(values.size(), grid.n_cells() * n_components);
     cell_data += array(name, n_components, values, units);
+    cell_declarations += declaration(name, n_components);
   }
 
 
@@ -212,6 +214,46 @@ namespace StickSlip
                     n_components,
                     std::vector<float>(values.begin(), values.end()),
                     units);
+  }
+
+
+
+  std::string
+  VtuFile::declaration(const std::string &name,
+                       const unsigned int n_components) const
+  {
+    return std::string("      <PDataArray type=\"") +
+           (precision == Precision::full ? vtk_name<double> :
+                                           vtk_name<float>)+"\" Name=\"" +
+           name + "\" NumberOfComponents=\"" + std::to_string(n_components) +
+           "\"/>\n";
+  }
+
+
+
+  std::string
+  VtuFile::text_that_joins(const std::vector<std::string> &pieces) const
+  {
+    std::string text = "<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
+                       "byte_order=\"LittleEndian\" header_type=\"UInt32\" "
+                       "compressor=\"vtkZLibDataCompressor\">\n"
+                       "  <PUnstructuredGrid GhostLevel=\"0\">\n"
+                       "    <FieldData>\n" +
+                       field_data +
+                       "    </FieldData>\n"
+                       "    <PPoints>\n" +
+                       declaration("Points", 3) +
+                       "    </PPoints>\n"
+                       "    <PPointData>\n" +
+                       point_declarations +
+                       "    </PPointData>\n"
+                       "    <PCellData>\n" +
+                       cell_declarations + "    </PCellData>\n";
+    for (const std::string &piece : pieces)
+      text += "    <Piece Source=\"" + piece + "\"/>\n";
+    return text + "  </PUnstructuredGrid>\n"
+                  "</VTKFile>\n";
   }
 
 

@@ -275,11 +275,16 @@ namespace StickSlip
                surfaces      = fields && scene.output.write_fault_surfaces;
     VolumeContent content;
     if (volume)
-      content =
-        collect_volume(space.meshes().finest(),
-                       {state.displacement, state.velocity, state.acceleration},
-                       volume_materials(scene, space.meshes().finest()),
-                       scene.output.volume_fields);
+      {
+        const MeshLevel<dim> &finest = space.meshes().finest();
+        content =
+          own_volume(finest,
+                     {state.displacement, state.velocity, state.acceleration},
+                     volume_materials(scene, finest),
+                     scene.output.volume_fields);
+        if (!scene.output.volume_pieces)
+          content = gather_volume(finest, content);
+      }
     std::vector<std::vector<double>> station_values;
     if (at_stations)
       station_values =
@@ -314,20 +319,28 @@ namespace StickSlip
       in_fault_history = in_fault_history || faults;
       if (at_stations)
         files->stations->add(last_step.time, station_values);
-      // A file that cannot be written leaves a gap, and the next one is tried.
-      const unsigned int number =
-        n_missed + std::max(files->volumes.entries().size(),
-                            files->surfaces.entries().size() /
-                              std::max<std::size_t>(last_faults.size(), 1));
-      if (fields)
-        ++n_missed;
-      if (volume)
-        write_volume_now(number, content);
-      if (surfaces)
-        write_surfaces_now(number);
-      if (fields)
-        --n_missed;
     });
+    if (fields)
+      {
+        unsigned int number = 0;
+        if (files)
+          number =
+            n_missed + std::max(files->volumes.entries().size(),
+                                files->surfaces.entries().size() /
+                                  std::max<std::size_t>(last_faults.size(), 1));
+        // A file that cannot be written leaves a gap, and the next one is
+        // tried.
+        ++n_missed;
+        if (volume)
+          write_volume_now(Utilities::MPI::broadcast(communicator, number, 0),
+                           content);
+        if (surfaces)
+          carry_out_agreed(communicator, [&]() {
+            if (files)
+              write_surfaces_now(number);
+          });
+        --n_missed;
+      }
     if (faults)
       fault_cadence.note_written(last_step.time, last_slip_rate);
     if (at_stations)
@@ -386,12 +399,30 @@ namespace StickSlip
   RunRecord<dim, n_components>::write_volume_now(const unsigned int   number,
                                                  const VolumeContent &content)
   {
-    files->volumes.add(last_step.time,
-                       {write_volume(scene.output.directory,
-                                     number,
-                                     last_step.time,
-                                     content,
-                                     names_of(scene.bodies))});
+    const VolumeFiles volume_files(scene.output.directory,
+                                   number,
+                                   last_step.time,
+                                   names_of(scene.bodies));
+    if (scene.output.volume_pieces)
+      {
+        carry_out_agreed(communicator, [&]() {
+          if (files)
+            volume_files.make_folder();
+        });
+        carry_out_agreed(communicator, [&]() {
+          volume_files.write_piece(
+            Utilities::MPI::this_mpi_process(communicator), content);
+        });
+      }
+    carry_out_agreed(communicator, [&]() {
+      if (files)
+        files->volumes.add(last_step.time,
+                           {scene.output.volume_pieces ?
+                              volume_files.join_pieces(
+                                Utilities::MPI::n_mpi_processes(communicator),
+                                content) :
+                              volume_files.write(content)});
+    });
   }
 
 

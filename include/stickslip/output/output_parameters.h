@@ -62,6 +62,9 @@ namespace StickSlip
                                                VolumeField::material};
     CadenceParameters        volume_cadence = {100., 1e-4, 0.05, 5.};
 
+    /** True if each process writes a file of its own. */
+    bool volume_pieces = false;
+
     /** An event begins when the mean slip rate of a fault rises above this,
      * m/s; zero: twice the largest prescribed velocity. */
     double event_start_slip_rate = 0.;

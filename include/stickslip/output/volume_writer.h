@@ -7,8 +7,8 @@
 #include <stickslip/algebra/node_partition.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/output/output_fields.h>
-#include <stickslip/output/vtu_file.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -66,13 +66,24 @@ namespace StickSlip
       std::string         units;
     };
 
-    VtuGrid            grid;
+    /** Serial numbers of the points and cells. */
+    std::vector<types::global_dof_index> points, cells;
+
+    /** Dimension of the cells, and the most corners that one has. */
+    unsigned int dimension, n_corners;
+
+    /** Positions of the points, three numbers each, m, and for each cell its
+     * points in the order of VTK by their places here; -1 stands for those that
+     * its shape has not. */
+    std::vector<double>       positions;
+    std::vector<std::int64_t> corners;
+
     std::vector<Field> of_points, of_cells;
   };
 
   /**
-   * The @p fields of all bodies, on the first process; each process computes
-   * those of its own cells. Collective.
+   * The @p fields of the cells that this process shows: of all processes
+   * together each cell once. Collective.
    *
    * Vectors have three components; where bodies move out of the plane, z is
    * the axis that they move along. Stress (Pa) and strain are those of each
@@ -83,22 +94,18 @@ namespace StickSlip
    */
   template <int dim>
   VolumeContent
-  collect_volume(const MeshLevel<dim>                   &level,
-                 const VolumeState                      &state,
-                 const std::vector<VolumeMaterial<dim>> &materials,
-                 const std::vector<VolumeField>         &fields);
+  own_volume(const MeshLevel<dim>                   &level,
+             const VolumeState                      &state,
+             const std::vector<VolumeMaterial<dim>> &materials,
+             const std::vector<VolumeField>         &fields);
 
   /**
-   * Write one VTU file into @p directory, with the ending for this step;
-   * returns its name. The names of the bodies are the strings body_names of the
-   * file.
+   * The content of all processes together on the first one, in the order of one
+   * process alone, nothing on the others. Collective.
    */
-  std::string
-  write_volume(const std::string              &directory,
-               const unsigned int              number,
-               const double                    time,
-               const VolumeContent            &content,
-               const std::vector<std::string> &body_names);
+  template <int dim>
+  VolumeContent
+  gather_volume(const MeshLevel<dim> &level, const VolumeContent &own);
 } // namespace StickSlip
 
 #endif

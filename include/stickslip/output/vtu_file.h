@@ -89,7 +89,16 @@ namespace StickSlip
     std::string
     text() const;
 
+    /** The text of a PVTU file that joins pieces with the arrays of this file,
+     * by their names. */
+    std::string
+    text_that_joins(const std::vector<std::string> &pieces) const;
+
   private:
+    /** The line of a PVTU file for an array. */
+    std::string
+    declaration(const std::string &name, const unsigned int n_components) const;
+
     std::string
     array(const std::string         &name,
           const unsigned int         n_components,
@@ -99,6 +108,7 @@ namespace StickSlip
     const VtuGrid  &grid;
     const Precision precision;
     std::string     field_data, point_data, cell_data;
+    std::string     point_declarations, cell_declarations;
   };
 } // namespace StickSlip
 

@@ -14,7 +14,7 @@
 #include <stickslip/output/pvd_record.h>
 #include <stickslip/output/run_summary.h>
 #include <stickslip/output/time_series.h>
-#include <stickslip/output/volume_writer.h>
+#include <stickslip/output/volume_files.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
@@ -106,6 +106,9 @@ namespace StickSlip
     void
     add_openings(RunSummary &summary) const;
 
+    /** Write the files of the bodies with a number that all processes know,
+     * from the @p content of all on the first of them, or of each. Collective.
+     */
     void
     write_volume_now(const unsigned int number, const VolumeContent &content);
 
