@@ -25,7 +25,6 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "contrib"))
 
-from common.vtu_file import decode
 from experiments.scenes.volume import Volume, volumes
 
 YOUNGS_MODULUS, POISSONS_RATIO, DENSITY = 4.12e7, 0.3, 5000.0
@@ -80,9 +79,9 @@ def check_with_vtk(path, volume):
         if {data.GetArrayName(k) for k in range(data.GetNumberOfArrays())} != set(arrays):
             yield f"VTK does not read {sorted(arrays)}"
             return
-        for name, element in arrays.items():
+        for name, values in arrays.items():
             array = data.GetArray(name)
-            if not np.array_equal(vtk_to_numpy(array).ravel(), decode(element)):
+            if not np.array_equal(vtk_to_numpy(array), values):
                 yield f"VTK reads another {name}"
             unit = array.GetInformation().Get(vtkDataArray.UNITS_LABEL())
             if unit != UNITS.get(name.split("_")[0]):

@@ -27,7 +27,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "contrib"))
 
 from check_restart import FAST, PLANE, read_scene
-from common.vtu_file import decode, names_in
+from common.vtu_file import files, names_in, sections
 
 SETTINGS = FAST + PLANE + [
     "Output/Volume longest interval=0.05",
@@ -37,52 +37,30 @@ SETTINGS = FAST + PLANE + [
 
 
 class Volume:
-    """Arrays of VTU files, one behind the other."""
+    """A VTU or PVTU file; a row for each cell, in the order of their centres: corners,
+    and all that it and they have."""
 
-    def __init__(self, paths):
-        pieces = [self.read(path) for path in paths]
-        self.names = [names_in(path) for path in paths]
-        self.sizes = [len(cells) for cells, _ in pieces]
-        # A row for each cell: centre, then all that it has.
-        filled = [arrays for cells, arrays in pieces if len(cells)]
-        rows = np.concatenate(
-            [np.column_stack([arrays[name] for name in sorted(arrays)])
-             for arrays in filled])
-        keys = np.concatenate([cells for cells, _ in pieces])
-        self.fields = sorted(pieces[0][1])
-        order = np.lexsort(np.round(keys, 6).T)
-        self.rows, self.centres = rows[order], keys[order]
-
-    @staticmethod
-    def read(path):
-        piece = ElementTree.parse(path).getroot().find(".//Piece")
-        n_points, n_cells = (int(piece.get(f"NumberOf{of}")) for of in ("Points", "Cells"))
-
-        def arrays(section):
-            found = piece.find(section).findall("DataArray")
-            return {a.get("Name"): decode(a).reshape(
-                -1, int(a.get("NumberOfComponents"))) for a in found}
-
-        points = arrays("Points")["Points"].reshape(n_points, 3)
-        corners = arrays("Cells")["connectivity"].reshape(n_cells, 4)
+    def __init__(self, path):
+        self.names, self.sizes = names_in(path), []
+        for file in files(path):
+            piece = ElementTree.parse(file).getroot().find(".//Piece")
+            self.sizes.append(int(piece.get("NumberOfCells")))
+        arrays = sections(path)
+        corners = arrays["Cells"]["connectivity"].reshape(-1, 4)
+        found = {name: values[corners].reshape(len(corners), -1)
+                 for name, values in arrays["PointData"].items()}
+        found |= arrays["CellData"]
+        self.fields = sorted(found)
+        points = arrays["Points"]["Points"][corners]
         # Bodies lie on top of each other, and are told apart by their number.
-        result = dict(arrays("CellData"))
-        corner_points = points[corners]
-        for name, values in arrays("PointData").items():
-            result[name] = values[corners].reshape(n_cells, 4 * values.shape[1])
-        result["corners"] = corner_points.reshape(n_cells, 12)
-        centres = corner_points.mean(axis=1)
-        return np.column_stack([centres, result["body"]]), result
+        keys = np.column_stack([points.mean(axis=1), found["body"]])
+        rows = [points.reshape(-1, 12), *(found[name] for name in self.fields)]
+        self.rows = np.column_stack(rows)[np.lexsort(np.round(keys, 6).T)]
 
 
 def listed(folder):
     record = ElementTree.parse(folder / "solution.pvd").getroot()
     return [item.get("file") for item in record.iter("DataSet")]
-
-
-def pieces_of(path):
-    root = ElementTree.parse(path).getroot()
-    return [path.parent / item.get("Source") for item in root.iter("Piece")]
 
 
 def check_with_vtk(path, volume):
@@ -99,22 +77,22 @@ def check_with_vtk(path, volume):
     names = [data.GetArrayName(k)
              for data in (grid.GetPointData(), grid.GetCellData())
              for k in range(data.GetNumberOfArrays())]
-    if sorted(names + ["corners"]) != volume.fields:
+    if sorted(names) != volume.fields:
         yield f"VTK reads {names}"
 
 
 def check_folder(folder, n_processes):
     """What is wrong with the files of a run with pieces."""
-    files = listed(folder)
-    if not files or any(not name.endswith(".pvtu") for name in files):
-        yield f"solution.pvd lists {files}"
-    wanted = {piece for name in files for piece in pieces_of(folder / name)}
+    names = listed(folder)
+    if not names or any(not name.endswith(".pvtu") for name in names):
+        yield f"solution.pvd lists {names}"
+    wanted = {piece for name in names for piece in files(folder / name)}
     present = set(folder.glob("*/*.vtu"))
     if wanted != present:
         yield f"pieces that are missing or too many: {wanted ^ present}"
     if list(folder.glob("solution_*.vtu")):
         yield "there are files in one piece, too"
-    if len(pieces_of(folder / files[-1])) != n_processes:
+    if len(files(folder / names[-1])) != n_processes:
         yield f"the last file has not {n_processes} pieces"
 
 
@@ -123,9 +101,9 @@ def compare(whole, pieces):
     if [name.replace(".pvtu", ".vtu") for name in listed(pieces)] != listed(whole):
         yield "there are other files in one piece"
     for name in listed(whole):
-        one = Volume([whole / name])
-        joined = Volume(pieces_of(pieces / name.replace(".vtu", ".pvtu")))
-        if joined.names != len(joined.sizes) * one.names:
+        one = Volume(whole / name)
+        joined = Volume(pieces / name.replace(".vtu", ".pvtu"))
+        if joined.names != one.names:
             yield f"{name}: names of bodies {joined.names}"
         if sum(joined.sizes) != one.sizes[0]:
             yield f"{name}: {joined.sizes} cells of {one.sizes}"
@@ -168,7 +146,7 @@ def check(program, mpiexec, folder):
     run(4, pieces, "--overwrite", settings=few_cells)
     yield from check_folder(pieces, 4)
     yield from compare(whole, pieces)
-    if 0 not in Volume(pieces_of(pieces / listed(pieces)[0])).sizes:
+    if 0 not in Volume(pieces / listed(pieces)[0]).sizes:
         yield "no piece is empty"
 
     again = pieces.rename(folder / "again")

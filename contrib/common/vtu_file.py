@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the stickslip authors
-"""The arrays of VTU files, read without VTK."""
+"""The arrays of VTU files and of PVTU files, which join some, read without VTK."""
 
 import base64
+import pathlib
 import xml.etree.ElementTree as ElementTree
 import zlib
 
@@ -28,9 +29,42 @@ def decode(element):
     return np.frombuffer(result, kind)
 
 
+def files(path):
+    """The VTU files that a PVTU file joins, or a VTU file itself."""
+    path = pathlib.Path(path)
+    if path.suffix != ".pvtu":
+        return [path]
+    return [path.parent / piece.get("Source")
+            for piece in ElementTree.parse(path).getroot().iter("Piece")]
+
+
+def sections(path):
+    """All arrays by section and name, such as sections(path)["CellData"]["body"], with
+    a row for each point or cell where there are several components; those of the files
+    of a PVTU file one after the other, so that points between them are there twice."""
+    parts = {name: {} for name in ("Points", "Cells", "PointData", "CellData")}
+    first_point = first_corner = 0
+    for file in files(path):
+        piece = ElementTree.parse(file).getroot().find(".//Piece")
+        for section, arrays in parts.items():
+            for element in piece.find(section):
+                name, n = element.get("Name"), int(element.get("NumberOfComponents"))
+                values = decode(element)
+                if name == "connectivity":
+                    values = values + first_point
+                elif name == "offsets":
+                    values = values + first_corner
+                arrays.setdefault(name, []).append(
+                    values.reshape(-1, n) if n > 1 else values)
+        first_point += int(piece.get("NumberOfPoints"))
+        first_corner += len(parts["Cells"]["connectivity"][-1])
+    return {section: {name: np.concatenate(values) for name, values in arrays.items()}
+            for section, arrays in parts.items()}
+
+
 def names_in(path, title="body_names"):
     """The strings of an array of a file; none where it has no such array."""
-    array = ElementTree.parse(path).getroot().find(
+    array = ElementTree.parse(files(path)[0]).getroot().find(
         f".//FieldData/DataArray[@Name='{title}']")
     if array is None:
         return []

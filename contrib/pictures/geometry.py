@@ -2,15 +2,13 @@
 # Copyright (C) 2026 by the stickslip authors
 """The bodies of a scene and its faults."""
 
-import xml.etree.ElementTree as ElementTree
-
 import h5py
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from common.vtu_file import decode, names_in
+from common.vtu_file import names_in, sections
 
 from .style import BLACK, COLOURS, VERMILION, panels, scaled, title
 
@@ -21,19 +19,13 @@ SHAPES = {5: 3, 9: 4}
 def cells_of_bodies(path):
     """Corners of all cells of a plane scene, the number of the body of each, and the
     names of the bodies; None where the file does not have them."""
-    piece = ElementTree.parse(path).getroot().find(".//Piece")
-    body = piece.find("CellData/DataArray[@Name='body']")
-    names = names_in(path)
-    if body is None or not names:
+    arrays, names = sections(path), names_in(path)
+    cells, body = arrays["Cells"], arrays["CellData"].get("body")
+    if body is None or not names or not set(cells["types"]) <= set(SHAPES):
         return None
-    arrays = {a.get("Name"): decode(a) for a in piece.find("Cells")}
-    if not set(arrays["types"]) <= set(SHAPES):
-        return None
-    points = decode(piece.find("Points/DataArray")).reshape(-1, 3)[:, :2]
-    ends = arrays["offsets"]
-    begins = np.concatenate(([0], ends[:-1]))
-    cells = [points[arrays["connectivity"][a:b]] for a, b in zip(begins, ends)]
-    return cells, decode(body).astype(int), names
+    points = arrays["Points"]["Points"][:, :2]
+    corners = np.split(cells["connectivity"], cells["offsets"][:-1])
+    return [points[corner] for corner in corners], body.astype(int), names
 
 
 def faces_of_faults(path):
@@ -56,8 +48,8 @@ def faces_of_faults(path):
 def draw_plane(run, faults):
     factor, unit = 1.0, "m"
     figure, ((axis,),) = panels([3.2])
-    volume = run.folder / "solution_00000.vtu"
-    bodies = cells_of_bodies(volume) if volume.is_file() else None
+    volumes = [run.folder / f"solution_00000.{ending}" for ending in ("vtu", "pvtu")]
+    bodies = next((cells_of_bodies(v) for v in volumes if v.is_file()), None)
     every = np.concatenate([np.concatenate(faces) for faces in faults.values()])
     if bodies:
         every = np.concatenate(bodies[0])

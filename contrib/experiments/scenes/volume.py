@@ -7,33 +7,26 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 
-from common.vtu_file import decode
+from common.vtu_file import sections
+
 
 class Volume:
-    """Quadrilaterals of one file, with their four corners in a row around them; arrays
-    are (cells x 4) or (cells x 4 x 2), in SI units, fields of cells at each corner."""
+    """Quadrilaterals of one VTU or PVTU file, with their four corners in a row around
+    them; arrays are (cells x 4) or (cells x 4 x 2), in SI units, fields of cells at each
+    corner."""
 
     def __init__(self, path):
-        piece = ElementTree.parse(path).getroot().find(".//Piece")
-        cells = decode(piece.find("Cells/DataArray[@Name='connectivity']"))
-        corners = cells.reshape(-1, 4)
-        points = decode(piece.find("Points/DataArray")).reshape(-1, 3)
-        self.points = points[corners][..., :2].astype(float)
-        self.at_points, self.at_cells = ({
-            array.get("Name"): array for array in piece.findall(f"{where}/DataArray")
-        } for where in ("PointData", "CellData"))
-        self.corners = corners
+        arrays = sections(path)
+        self.corners = arrays["Cells"]["connectivity"].reshape(-1, 4)
+        self.points = arrays["Points"]["Points"][self.corners][..., :2].astype(float)
+        self.at_points, self.at_cells = arrays["PointData"], arrays["CellData"]
         self.body = self.field("body")[:, 0].astype(int)
 
     def field(self, name):
         if name in self.at_cells:
-            values = decode(self.at_cells[name]).astype(float)
+            values = self.at_cells[name].astype(float)
             return np.repeat(values[:, None], 4, axis=1)
-        array = self.at_points[name]
-        values = decode(array).astype(float)
-        if array.get("NumberOfComponents") == "3":
-            return values.reshape(-1, 3)[self.corners][..., :2]
-        return values[self.corners]
+        return self.at_points[name].astype(float)[self.corners][..., :2]
 
     def displacement(self):
         return self.field("displacement")
