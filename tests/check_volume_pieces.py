@@ -28,6 +28,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "contrib"))
 
 from check_restart import FAST, PLANE, read_scene
 from common.vtu_file import files, names_in, sections
+from experiments.scenes.volume import Volume, volumes
 
 SETTINGS = FAST + PLANE + [
     "Output/Volume longest interval=0.05",
@@ -36,31 +37,32 @@ SETTINGS = FAST + PLANE + [
 ]
 
 
-class Volume:
-    """A VTU or PVTU file; a row for each cell, in the order of their centres: corners,
-    and all that it and they have."""
-
-    def __init__(self, path):
-        self.names, self.sizes = names_in(path), []
-        for file in files(path):
-            piece = ElementTree.parse(file).getroot().find(".//Piece")
-            self.sizes.append(int(piece.get("NumberOfCells")))
-        arrays = sections(path)
-        corners = arrays["Cells"]["connectivity"].reshape(-1, 4)
-        found = {name: values[corners].reshape(len(corners), -1)
-                 for name, values in arrays["PointData"].items()}
-        found |= arrays["CellData"]
-        self.fields = sorted(found)
-        points = arrays["Points"]["Points"][corners]
-        # Bodies lie on top of each other, and are told apart by their number.
-        keys = np.column_stack([points.mean(axis=1), found["body"]])
-        rows = [points.reshape(-1, 12), *(found[name] for name in self.fields)]
-        self.rows = np.column_stack(rows)[np.lexsort(np.round(keys, 6).T)]
-
-
 def listed(folder):
-    record = ElementTree.parse(folder / "solution.pvd").getroot()
-    return [item.get("file") for item in record.iter("DataSet")]
+    return [path.name for path in volumes(folder)[1]]
+
+
+def sizes(path):
+    """Numbers of cells of the pieces."""
+    pieces = [ElementTree.parse(file).getroot().find(".//Piece") for file in files(path)]
+    return [int(piece.get("NumberOfCells")) for piece in pieces]
+
+
+def fields(volume):
+    return sorted([*volume.at_points, *volume.at_cells])
+
+
+def rows(path):
+    """A row for each cell, in the order of their centres: corners, and all that it and
+    they have."""
+    volume, points = Volume(path), sections(path)["Points"]["Points"]
+    n_cells = len(volume.corners)
+    found = {name: values[volume.corners].reshape(n_cells, -1)
+             for name, values in volume.at_points.items()} | volume.at_cells
+    # Bodies lie on top of each other, and are told apart by their number.
+    keys = np.column_stack([volume.points.mean(axis=1), volume.body])
+    columns = [points[volume.corners].reshape(n_cells, -1),
+               *(found[name] for name in fields(volume))]
+    return np.column_stack(columns)[np.lexsort(np.round(keys, 6).T)]
 
 
 def check_with_vtk(path, volume):
@@ -72,12 +74,12 @@ def check_with_vtk(path, volume):
     reader.SetFileName(str(path))
     reader.Update()
     grid = reader.GetOutput()
-    if grid.GetNumberOfCells() != sum(volume.sizes):
-        yield f"VTK reads {grid.GetNumberOfCells()} cells of {sum(volume.sizes)}"
+    if grid.GetNumberOfCells() != len(volume.corners):
+        yield f"VTK reads {grid.GetNumberOfCells()} cells of {len(volume.corners)}"
     names = [data.GetArrayName(k)
              for data in (grid.GetPointData(), grid.GetCellData())
              for k in range(data.GetNumberOfArrays())]
-    if sorted(names) != volume.fields:
+    if sorted(names) != fields(volume):
         yield f"VTK reads {names}"
 
 
@@ -101,17 +103,17 @@ def compare(whole, pieces):
     if [name.replace(".pvtu", ".vtu") for name in listed(pieces)] != listed(whole):
         yield "there are other files in one piece"
     for name in listed(whole):
-        one = Volume(whole / name)
-        joined = Volume(pieces / name.replace(".vtu", ".pvtu"))
-        if joined.names != one.names:
-            yield f"{name}: names of bodies {joined.names}"
-        if sum(joined.sizes) != one.sizes[0]:
-            yield f"{name}: {joined.sizes} cells of {one.sizes}"
-        elif joined.fields != one.fields:
-            yield f"{name}: fields {joined.fields}, not {one.fields}"
-        elif not np.array_equal(joined.rows, one.rows):
+        in_pieces = pieces / name.replace(".vtu", ".pvtu")
+        one, joined = Volume(whole / name), Volume(in_pieces)
+        if names_in(in_pieces) != names_in(whole / name):
+            yield f"{name}: names of bodies {names_in(in_pieces)}"
+        if len(joined.corners) != len(one.corners):
+            yield f"{name}: {sizes(in_pieces)} cells of {len(one.corners)}"
+        elif fields(joined) != fields(one):
+            yield f"{name}: fields {fields(joined)}, not {fields(one)}"
+        elif not np.array_equal(rows(in_pieces), rows(whole / name)):
             yield f"{name}: other values in pieces"
-        yield from check_with_vtk(pieces / name.replace(".vtu", ".pvtu"), joined)
+        yield from check_with_vtk(in_pieces, joined)
 
 
 def check(program, mpiexec, folder):
@@ -146,7 +148,7 @@ def check(program, mpiexec, folder):
     run(4, pieces, "--overwrite", settings=few_cells)
     yield from check_folder(pieces, 4)
     yield from compare(whole, pieces)
-    if 0 not in Volume(pieces / listed(pieces)[0]).sizes:
+    if 0 not in sizes(pieces / listed(pieces)[0]):
         yield "no piece is empty"
 
     again = pieces.rename(folder / "again")

@@ -153,14 +153,6 @@ COLUMNS = [
 ]
 
 
-def table_of(columns, rows):
-    """Rows by the names of their values, in Markdown."""
-    return page.table(
-        [title for _, title, _ in columns],
-        [[form.format(float(row[key])) for key, _, form in columns] for row in rows],
-    )
-
-
 def table(problem, rows):
     """The rows of one problem, in Markdown."""
     first = rows[0]
@@ -172,7 +164,7 @@ def table(problem, rows):
         values["speed-up"] = float(first["solve_s"]) / float(row["solve_s"])
         values["memory"] = float(row["largest_MiB"]) / float(first["largest_MiB"])
         cells.append(values)
-    yield "\n" + table_of(COLUMNS, cells)
+    yield "\n" + page.table_of(COLUMNS, cells)
 
 
 LARGE_COLUMNS = [
@@ -201,7 +193,7 @@ def measure_large():
 
 
 def write_large_table(rows):
-    text = table_of(LARGE_COLUMNS, rows)
+    text = page.table_of(LARGE_COLUMNS, rows)
     page.replace_section("large problems", text, PAGE, "contrib/scaling --large")
     print(f"{PAGE} and {LARGE_DATA} are written.")
 

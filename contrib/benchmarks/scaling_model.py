@@ -71,17 +71,28 @@ def count_border_nodes(n_unknowns, n_processes):
     return sum(border_nodes(n, p) for n, p in levels)
 
 
-def fit(counted, timed):
-    """Costs from rows of rate_problem: the most messages and bytes that any of the
-    first took, and the straight line through the times of two more, on the same
-    coarse cells."""
-    def most(column, count):
-        return max(
-            float(row[column]) / float(row["cycles"])
-            / count(float(row["unknowns"]), int(row["processes"]))
-            for row in counted if int(row["processes"]) > 1
-        )
+def most_of_a_cycle(rows, column, count):
+    """The most that any row of rate_problem has in a column, of a cycle and for each of
+    what is counted."""
+    return max(
+        float(row[column]) / float(row["cycles"])
+        / count(float(row["unknowns"]), int(row["processes"]))
+        for row in rows if int(row["processes"]) > 1
+    )
 
+
+def fit_messages(rows):
+    """Messages for each level and neighbour, and bytes for each node at a border."""
+    return (
+        most_of_a_cycle(rows, "messages", count_neighbours),
+        most_of_a_cycle(rows, "message_bytes", count_border_nodes),
+    )
+
+
+def fit(counted, timed):
+    """Costs from rows of rate_problem: messages from the first, and times from the
+    straight line through two more, on the same coarse cells."""
+    messages, sent = fit_messages(counted)
     (small, time_of_small), (large, time_of_large) = [
         (float(row["unknowns"]) / float(row["processes"]),
          float(row["solve_s"]) / float(row["tnnmg_iterations"]))
@@ -89,8 +100,8 @@ def fit(counted, timed):
     ]
     slope = (time_of_large - time_of_small) / (large - small)
     return Costs(
-        messages=most("messages", count_neighbours),
-        bytes=most("message_bytes", count_border_nodes),
+        messages=messages,
+        bytes=sent,
         time_of_unknown=slope,
         time_of_coarsest=max(0.0, time_of_small - slope * small),
     )
@@ -108,7 +119,7 @@ def iteration_times(n_unknowns, n_processes, costs, network):
     sent = costs.bytes * count_border_nodes(n_unknowns, n_processes)
     steps_of_sum = 2 * math.log2(n_processes)
     return {
-        "unknowns": costs.time_of_unknown * n_unknowns / n_processes,
+        "own": costs.time_of_unknown * n_unknowns / n_processes,
         "coarsest": costs.time_of_coarsest,
         "messages": costs.cycles * messages * network.latency,
         "bytes": costs.cycles * sent / network.bandwidth,

@@ -23,40 +23,52 @@ PREDICTED = (16, 128, 1024)
 UNKNOWNS_EACH = 1e6
 
 
+COLUMNS = [
+    ("processes", "processes", "{:.0f}"),
+    ("unknowns", "unknowns", "{:,.0f}"),
+    ("fault_nodes", "fault nodes", "{:,.0f}"),
+    ("tnnmg_iterations", "TNNMG iterations", "{:.0f}"),
+    ("equilibrium_iterations", "CG at the start", "{:.0f}"),
+    ("meshes_MiB", "MiB of a process, meshes made", "{:.0f}"),
+    ("largest_MiB", "at most", "{:.0f}"),
+    ("memory", "over that of one", "{:.2f}"),
+    ("messages_of_cycle", "messages of a cycle", "{:.0f}"),
+    ("messages_of_model", "counted by the model", "{:.0f}"),
+    ("kB_of_cycle", "kB of a cycle", "{:.0f}"),
+    ("kB_of_model", "counted by the model", "{:.0f}"),
+]
+
+PREDICTED_COLUMNS = [
+    ("processes", "processes", "{:,.0f}"),
+    ("unknowns", "unknowns", "{:.1e}"),
+    ("own", "own unknowns, ms", "{:.1f}"),
+    ("coarsest", "coarsest level", "{:.1f}"),
+    ("messages", "messages", "{:.1f}"),
+    ("bytes", "bytes", "{:.1f}"),
+    ("sums", "sums", "{:.1f}"),
+    ("faults", "faults", "{:.1f}"),
+    ("all", "an iteration, ms", "{:.0f}"),
+    ("part_of_own", "own unknowns", "{:.0%}"),
+    ("part_of_messages", "at most hidden", "{:.0%}"),
+]
+
+
 def table(rows):
     """The measured sequence, and beside its messages those that the model counts with
     costs from it."""
-    costs = scaling_model.fit(rows, rows[:2])
-    first = float(rows[0]["largest_MiB"])
+    messages, sent = scaling_model.fit_messages(rows)
     cells = []
     for row in rows:
-        n_unknowns, n_processes = float(row["unknowns"]), int(row["processes"])
+        size = float(row["unknowns"]), int(row["processes"])
         cycles = float(row["cycles"])
-        model = (
-            costs.messages * scaling_model.count_neighbours(n_unknowns, n_processes),
-            costs.bytes * scaling_model.count_border_nodes(n_unknowns, n_processes),
-        )
-        cells.append([
-            n_processes,
-            page.thousands(n_unknowns),
-            page.thousands(row["fault_nodes"]),
-            row["tnnmg_iterations"],
-            row["equilibrium_iterations"],
-            f"{float(row['meshes_MiB']):.0f}",
-            f"{float(row['largest_MiB']):.0f}",
-            f"{float(row['largest_MiB']) / first:.2f}",
-            f"{float(row['messages']) / cycles:.0f}",
-            f"{model[0]:.0f}",
-            f"{float(row['message_bytes']) / cycles / 1e3:.0f}",
-            f"{model[1] / 1e3:.0f}",
-        ])
-    titles = [
-        "processes", "unknowns", "fault nodes", "TNNMG iterations", "CG at the start",
-        "MiB of a process, meshes made", "at most", "over that of one",
-        "messages of a cycle", "counted by the model", "kB of a cycle",
-        "counted by the model",
-    ]
-    return page.table(titles, cells)
+        cells.append(row | {
+            "memory": float(row["largest_MiB"]) / float(rows[0]["largest_MiB"]),
+            "messages_of_cycle": float(row["messages"]) / cycles,
+            "messages_of_model": messages * scaling_model.count_neighbours(*size),
+            "kB_of_cycle": float(row["message_bytes"]) / cycles / 1e3,
+            "kB_of_model": sent * scaling_model.count_border_nodes(*size) / 1e3,
+        })
+    return page.table_of(COLUMNS, cells)
 
 
 def prediction(counted, timed, network=scaling_model.Network()):
@@ -68,24 +80,17 @@ def prediction(counted, timed, network=scaling_model.Network()):
         n_unknowns = n_processes * UNKNOWNS_EACH
         times = scaling_model.iteration_times(n_unknowns, n_processes, costs, network)
         whole = sum(times.values())
-        hidden = times["messages"] + times["bytes"]
-        cells.append([
-            f"{n_processes:,}",
-            f"{n_unknowns:.1e}",
-            *(f"{1e3 * time:.1f}" for time in times.values()),
-            f"{1e3 * whole:.0f}",
-            f"{times['unknowns'] / whole:.0%}",
-            f"{hidden / whole:.0%}",
-        ])
-    titles = [
-        "processes", "unknowns", "own unknowns, ms", "coarsest level", "messages",
-        "bytes", "sums", "faults", "an iteration, ms", "own unknowns",
-        "at most hidden",
-    ]
+        cells.append({part: 1e3 * time for part, time in times.items()} | {
+            "processes": n_processes,
+            "unknowns": n_unknowns,
+            "all": 1e3 * whole,
+            "part_of_own": times["own"] / whole,
+            "part_of_messages": (times["messages"] + times["bytes"]) / whole,
+        })
     return (
         f"Fitted: {costs.messages:.1f} messages of a cycle for each neighbour and level, "
         f"{costs.bytes:.0f} bytes for each node at a border, "
         f"{1e6 * costs.time_of_unknown:.2f} microseconds of an iteration for each "
         f"unknown of a process, {1e3 * costs.time_of_coarsest:.0f} ms for the coarsest "
-        "level.\n\n" + page.table(titles, cells)
+        "level.\n\n" + page.table_of(PREDICTED_COLUMNS, cells)
     )

@@ -31,6 +31,14 @@ def table(titles, rows):
     return "\n".join(lines) + "\n"
 
 
+def table_of(columns, rows):
+    """A table of dictionaries; columns are a key, a title and a format for a number."""
+    return table(
+        [title for _, title, _ in columns],
+        [[form.format(float(row[key])) for key, _, form in columns] for row in rows],
+    )
+
+
 def number(value, digits=2):
     """A number as it stands in a table, a dash if there is none."""
     try:
