@@ -65,31 +65,38 @@ namespace StickSlip
     lower.row_start.reserve(n_rows + 1);
     upper.row_start.reserve(n_rows + 1);
     first_upper.reserve(n_rows);
+    std::vector<unsigned int> below, beside, above;
     for (unsigned int i = 0; i < n_rows; ++i)
       {
-        const auto begin = sparsity->column.begin() + sparsity->row_start[i],
-                   end = sparsity->column.begin() + sparsity->row_start[i + 1];
-        const auto is_in = [&](const Part *part) {
-          return
-            [&, part](const unsigned int j) { return part_of(i, j) == part; };
-        };
-        const unsigned int n_lower = std::count_if(begin, end, is_in(&lower));
-        unsigned int       n_upper = std::count_if(begin, end, is_in(&upper));
+        below.clear();
+        beside.clear();
+        above.clear();
+        for (unsigned int k = sparsity->row_start[i];
+             k < sparsity->row_start[i + 1];
+             ++k)
+          {
+            const unsigned int j    = sparsity->column[k];
+            const Part        *part = part_of(i, j);
+            if (part == &lower)
+              below.push_back(j);
+            else if (part == &upper)
+              above.push_back(j);
+            else if (i != j)
+              beside.push_back(j);
+          }
         if (has_lines())
           {
+            beside.push_back(i);
             auto next = sorted_columns.begin() + sparsity->row_start[i];
-            next      = std::copy_if(begin, end, next, is_in(&lower));
-            next    = std::copy_if(begin, end, next, [&](const unsigned int j) {
-              return j != i && part_of(i, j) == nullptr;
-            });
-            *next++ = i;
-            std::copy_if(begin, end, next, is_in(&upper));
+            for (const auto *columns : {&below, &beside, &above})
+              next = std::copy(columns->begin(), columns->end(), next);
           }
         // Before the others there is the surplus; ghosts have the largest
         // numbers.
-        if (patches.empty() && *std::prev(end) >= n_rows)
-          ++n_upper;
-        lower.row_start.push_back(lower.row_start.back() + n_lower);
+        const bool has_surplus =
+          patches.empty() && !above.empty() && above.back() >= n_rows;
+        const unsigned int n_upper = above.size() + has_surplus;
+        lower.row_start.push_back(lower.row_start.back() + below.size());
         upper.row_start.push_back(upper.row_start.back() + n_upper);
         first_upper.push_back(sparsity->row_start[i + 1] - n_upper);
       }
