@@ -176,6 +176,30 @@ TEST(MeshLinePartition, StacksOfFlatCellsAreWhole)
 
 
 
+TEST(MeshLinePartition, StacksGoOnBehindFaults)
+{
+  // 100 stacks of 32 cells through both bodies.
+  const Bodies<3> bodies = meshes<3>(
+    {make_body<3>(1., {{10, 10, 16}}, 0), make_body<3>(1., {{10, 10, 16}}, 0)});
+  for (const unsigned int n_parts : {2, 3, 8, 16})
+    {
+      const Parts<3> parts(bodies, n_parts);
+      EXPECT_LE(parts.excess(), 1.3);
+      std::map<std::pair<long, long>, std::set<unsigned int>> owners;
+      for (unsigned int b : {0, 1})
+        for (const auto &cell :
+             bodies[b]->triangulation().active_cell_iterators())
+          owners[{std::lround(1e6 * cell->center()[0]),
+                  std::lround(1e6 * cell->center()[1])}]
+            .insert(parts.owners[b][cell->active_cell_index()]);
+      EXPECT_EQ(owners.size(), 100u);
+      for (const auto &of_stack : owners)
+        EXPECT_EQ(of_stack.second.size(), 1u) << n_parts;
+    }
+}
+
+
+
 TEST(MeshLinePartition, LinesAreWhereCellsAreFlatAlongOneAxis)
 {
   const auto n_pairs = [](const auto &bodies) {

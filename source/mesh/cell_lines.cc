@@ -64,6 +64,16 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  is_across_line(const typename Triangulation<dim>::active_cell_iterator &cell,
+                 const unsigned int                                       face)
+  {
+    return line_axis<dim>(cell) == face / 2;
+  }
+
+
+
+  template <int dim>
   std::vector<CellPair>
   neighbouring_cells(const BodyMesh<dim> &body, const bool in_lines)
   {
@@ -139,4 +149,10 @@ namespace StickSlip
   neighbouring_cells(const BodyMesh<2> &, const bool);
   template std::vector<CellPair>
   neighbouring_cells(const BodyMesh<3> &, const bool);
+  template bool
+  is_across_line<2>(const typename Triangulation<2>::active_cell_iterator &,
+                    const unsigned int);
+  template bool
+  is_across_line<3>(const typename Triangulation<3>::active_cell_iterator &,
+                    const unsigned int);
 } // namespace StickSlip

@@ -4,6 +4,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <stickslip/base/make_set.h>
 #include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/cell_graph.h>
 #include <stickslip/mesh/cell_lines.h>
@@ -26,7 +27,8 @@ namespace StickSlip
     constexpr unsigned int within_bodies = 1;
     constexpr unsigned int across_faults = 4;
 
-    /** A cut across a line is dearer than one along it. */
+    /** A cut across a line, which goes on behind a fault, is dearer than one
+     * along it. */
     constexpr unsigned int along_lines = 1000;
 
     /** Cells of the largest part over the mean that are allowed for whole
@@ -43,39 +45,62 @@ namespace StickSlip
     template <int dim>
     using FaultCell = std::pair<BoundingBox<dim>, unsigned int>;
 
+    template <int dim>
+    struct FaultCells
+    {
+      std::vector<FaultCell<dim>> all;
+      /** Cells whose lines end at the fault, ascending. */
+      std::vector<unsigned int> in_lines;
+    };
+
 
 
     template <int dim>
-    std::vector<FaultCell<dim>>
+    FaultCells<dim>
     fault_cells(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
                 const std::vector<BodySide>                             &parts,
                 const std::vector<unsigned int> &first_cell)
     {
-      std::vector<FaultCell<dim>> result;
+      FaultCells<dim> result;
       for (const BodySide &part : parts)
         for (const auto &cell :
              bodies[part.body]->triangulation().active_cell_iterators())
           if (cell->at_boundary())
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary() && face->boundary_id() == part.side)
-                result.emplace_back(face->bounding_box(),
-                                    first_cell[part.body] +
-                                      cell->active_cell_index());
+            for (const unsigned int f : cell->face_indices())
+              if (cell->at_boundary(f) &&
+                  cell->face(f)->boundary_id() == part.side)
+                {
+                  const unsigned int number =
+                    first_cell[part.body] + cell->active_cell_index();
+                  result.all.emplace_back(cell->face(f)->bounding_box(),
+                                          number);
+                  if (is_across_line<dim>(cell, f))
+                    result.in_lines.push_back(number);
+                }
+      make_set(result.in_lines);
       return result;
     }
 
 
 
-    /** Pairs of cells whose faces on a fault overlap. */
+    /** Pairs of cells whose faces on a fault overlap: those that a line goes
+     * through, and others. */
     template <int dim>
     void
-    add_pairs_across(const std::vector<FaultCell<dim>> &first,
-                     const std::vector<FaultCell<dim>> &second,
-                     std::vector<CellPair>             &pairs)
+    add_pairs_across(const FaultCells<dim> &first,
+                     const FaultCells<dim> &second,
+                     std::vector<CellPair> &through,
+                     std::vector<CellPair> &others)
     {
-      const auto                  tree = pack_rtree(second);
+      const auto in_line = [](const FaultCells<dim> &cells,
+                              const unsigned int     number) {
+        return std::binary_search(cells.in_lines.begin(),
+                                  cells.in_lines.end(),
+                                  number);
+      };
+      const auto                  tree = pack_rtree(second.all);
       std::vector<FaultCell<dim>> found;
-      for (const auto &cell : first)
+      for (const auto &cell : first.all)
         {
           // Smaller by more than rounding along the face, lest faces that only
           // touch are found, and larger across it, lest none is.
@@ -94,7 +119,10 @@ namespace StickSlip
                        BoundingBox<dim>(corners)),
                      std::back_inserter(found));
           for (const auto &other : found)
-            pairs.emplace_back(cell.second, other.second);
+            (in_line(first, cell.second) && in_line(second, other.second) ?
+               through :
+               others)
+              .emplace_back(cell.second, other.second);
         }
     }
 
@@ -128,6 +156,7 @@ namespace StickSlip
         for (const Fault &fault : topology.faults())
           add_pairs_across(fault_cells(bodies, fault.sides[0], first_cell),
                            fault_cells(bodies, fault.sides[1], first_cell),
+                           through_faults,
                            across);
       }
 
@@ -186,6 +215,7 @@ namespace StickSlip
         };
         add(within, within_bodies);
         add(in_lines, along_lines);
+        add(through_faults, along_lines);
         add(across, across_faults);
         const std::vector<unsigned int> of_pieces = graph.parts(n_parts);
         std::vector<unsigned int>       result;
@@ -197,7 +227,7 @@ namespace StickSlip
       /** Numbers of finest cells for which each stands, and of their faces on
        * one of its own. */
       std::vector<unsigned int> n_finer, n_finer_faces;
-      std::vector<CellPair>     within, in_lines, across;
+      std::vector<CellPair>     within, in_lines, through_faults, across;
     };
   } // namespace
 

@@ -22,6 +22,14 @@ namespace StickSlip
   std::vector<CellPair>
   neighbouring_cells(const BodyMesh<dim> &body, const bool in_lines);
 
+  /** Return if nodes couple so strongly across this face of an active cell that
+   * they are relaxed together: if the cell is flat along the axis that the face
+   * is across. */
+  template <int dim>
+  bool
+  is_across_line(const typename Triangulation<dim>::active_cell_iterator &cell,
+                 const unsigned int                                       face);
+
   /**
    * Numbers for @p n things, in ascending order of the first of each number,
    * equal for those in the same piece of a line. Things in lines are joined by
