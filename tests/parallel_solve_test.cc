@@ -178,7 +178,7 @@ namespace
 
 
 
-TEST(ParallelSolve, SmootherDecreasesTheEnergyWhereProcessesGoTooFar)
+TEST(ParallelSolve, SmootherDecreasesTheEnergyWhereAllNodesCouple)
 {
   Crowd              crowd;
   const unsigned int n     = Crowd::per_process * n_processes();
@@ -194,14 +194,12 @@ TEST(ParallelSolve, SmootherDecreasesTheEnergyWhereProcessesGoTooFar)
   TNNMGSolver<2> solver(crowd.hierarchy, parameters);
   solver.find_correction_decrease();
   solver.start(b, w);
-  double       shortest  = 1.;
   unsigned int iteration = 0;
   for (; iteration < 5000; ++iteration)
     {
       const IterationSummary summary = solver.iterate(functional, b, w);
       EXPECT_GE(summary.smoother_decrease, -1e-14);
       EXPECT_GE(summary.correction_decrease, -1e-14);
-      shortest = std::min(shortest, summary.smoother_step_length);
       if (solver.has_converged(summary))
         break;
     }
@@ -209,12 +207,4 @@ TEST(ParallelSolve, SmootherDecreasesTheEnergyWhereProcessesGoTooFar)
   // All values are the same, v with (n + 0.1) v + 0.1 = 1.
   for (unsigned int i = 0; i < Crowd::per_process; ++i)
     EXPECT_NEAR(w.local_element(2 * i), 0.9 / (n + 0.1), 1e-9);
-  if (n_processes() > 1)
-    {
-      EXPECT_LT(shortest, 1.);
-    }
-  else
-    {
-      EXPECT_EQ(shortest, 1.);
-    }
 }

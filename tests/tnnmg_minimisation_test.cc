@@ -81,17 +81,17 @@ namespace
                                    w);
     };
 
-    const BlockMatrix<dim> &A = hierarchy.operators().matrix();
-    NodalVector             w = start, r = b, exact = b;
+    const NonlinearGaussSeidel<dim> smoother(hierarchy.operators());
+    const BlockMatrix<dim>         &A = hierarchy.operators().matrix();
+    NodalVector                     w = start, r = b, exact = b;
     A.residual(r, b, w);
     Reference::Value old = J(w);
     for (unsigned int sweep = 0; sweep < 20; ++sweep)
       {
-        nonlinear_gauss_seidel(hierarchy.operators(),
-                               *friction.functional,
-                               /*is_everywhere=*/sweep % 2 == 0,
-                               w,
-                               r);
+        smoother.sweep(*friction.functional,
+                       /*is_everywhere=*/sweep % 2 == 0,
+                       w,
+                       r);
         A.residual(exact, b, w);
         exact -= r;
         EXPECT_LE(exact.linfty_norm(),
@@ -116,11 +116,10 @@ namespace
           solver.iterate(*friction.functional, b, w);
         const Reference::Value now = J(w);
 
-        nonlinear_gauss_seidel(hierarchy.operators(),
-                               *friction.functional,
-                               summary.sweeps_everywhere,
-                               smoothed,
-                               r);
+        smoother.sweep(*friction.functional,
+                       summary.sweeps_everywhere,
+                       smoothed,
+                       r);
         const Reference::Value between = J(smoothed);
         SCOPED_TRACE(testing::Message() << iteration << ": " << summary);
         EXPECT_LE(now.value, between.value + rounding * between.size);

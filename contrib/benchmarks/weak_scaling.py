@@ -15,7 +15,7 @@ SEQUENCE = [
     ("10, 10, 2", 3, 2),
     ("7, 7, 1", 4, 4),
     ("7, 7, 2", 4, 8),
-    ("14, 7, 2", 4, 16),
+    ("10, 10, 2", 4, 16),
 ]
 
 # Processes of the model, and unknowns of each.

@@ -45,8 +45,8 @@ namespace StickSlip
   sums<2>(const std::array<double, 2> &, const MPI_Comm);
   template std::array<double, 3>
   sums<3>(const std::array<double, 3> &, const MPI_Comm);
+  template std::array<double, 5>
+  sums<5>(const std::array<double, 5> &, const MPI_Comm);
   template std::array<double, 7>
   sums<7>(const std::array<double, 7> &, const MPI_Comm);
-  template std::array<double, 8>
-  sums<8>(const std::array<double, 8> &, const MPI_Comm);
 } // namespace StickSlip

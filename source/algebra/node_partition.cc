@@ -145,6 +145,30 @@ namespace StickSlip
 
 
 
+  std::vector<unsigned int>
+  NodePartition::owners() const
+  {
+    std::vector<unsigned int> result(
+      n_owned(), Utilities::MPI::this_mpi_process(communicator()));
+    for (const auto &[rank, n_ghosts] : node_partitioner->ghost_targets())
+      result.insert(result.end(), n_ghosts, rank);
+    return result;
+  }
+
+
+
+  std::shared_ptr<const Utilities::MPI::Partitioner>
+  NodePartition::partition_of_vectors(const IndexSet &some_ghosts) const
+  {
+    const auto result = std::make_shared<Utilities::MPI::Partitioner>(
+      entry_partitioner->locally_owned_range(), communicator());
+    result->set_ghost_indices(entries_of(some_ghosts, components),
+                              entry_partitioner->ghost_indices());
+    return result;
+  }
+
+
+
   template <typename Number>
   NodeValues<Number>
   NodePartition::make_vector() const

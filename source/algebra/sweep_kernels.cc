@@ -196,11 +196,12 @@ namespace StickSlip
     void
     sweep_from_zero(const Triangle<Number> &lower,
                     const Number           *inverse_diagonal,
-                    const unsigned int      n,
+                    const unsigned int      begin,
+                    const unsigned int      end,
                     const Number           *b,
                     Number                 *x)
     {
-      for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int i = begin; i < end; ++i)
         {
           RowSum<n_components, Number> sum;
           add_row(sum, lower, i, x);
@@ -235,11 +236,12 @@ namespace StickSlip
     sweep_forward(const Triangle<Number> &lower,
                   const Triangle<Number> &upper,
                   const Number           *inverse_diagonal,
-                  const unsigned int      n,
+                  const unsigned int      begin,
+                  const unsigned int      end,
                   const Number           *b,
                   Number                 *x)
     {
-      for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int i = begin; i < end; ++i)
         {
           // The part that depends on the row just done comes last.
           RowSum<n_components, Number> sum;
@@ -256,11 +258,12 @@ namespace StickSlip
     sweep_backward(const Triangle<Number> &lower,
                    const Triangle<Number> &upper,
                    const Number           *inverse_diagonal,
-                   const unsigned int      n,
+                   const unsigned int      begin,
+                   const unsigned int      end,
                    const Number           *b,
                    Number                 *x)
     {
-      for (unsigned int i = n; i-- > 0;)
+      for (unsigned int i = end; i-- > begin;)
         {
           RowSum<n_components, Number> sum;
           add_row_backward(sum, lower, i, x);
@@ -337,6 +340,7 @@ namespace StickSlip
     const Triangle<Number> &,                                                  \
     const Number *,                                                            \
     const unsigned int,                                                        \
+    const unsigned int,                                                        \
     const Number *,                                                            \
     Number *);                                                                 \
   template void residual_after_sweep<n_components, Number>(                    \
@@ -345,11 +349,13 @@ namespace StickSlip
                                                     const Triangle<Number> &,  \
                                                     const Number *,            \
                                                     const unsigned int,        \
+                                                    const unsigned int,        \
                                                     const Number *,            \
                                                     Number *);                 \
   template void sweep_backward<n_components, Number>(const Triangle<Number> &, \
                                                      const Triangle<Number> &, \
                                                      const Number *,           \
+                                                     const unsigned int,       \
                                                      const unsigned int,       \
                                                      const Number *,           \
                                                      Number *);

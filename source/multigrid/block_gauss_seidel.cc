@@ -3,9 +3,9 @@
 
 #include <stickslip/algebra/masked_entries.h>
 #include <stickslip/multigrid/block_gauss_seidel.h>
-#include <stickslip/multigrid/border_surplus.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace StickSlip
 {
@@ -32,6 +32,17 @@ namespace StickSlip
                        });
       return groups;
     }
+
+
+
+    /** The end of the owned and ghost values of a vector. */
+    template <typename Vector>
+    auto
+    end_of_local(Vector &x)
+    {
+      return x.begin() + x.locally_owned_size() +
+             x.get_partitioner()->n_ghost_indices();
+    }
   } // namespace
 
 
@@ -40,28 +51,31 @@ namespace StickSlip
   BlockGaussSeidel<n_components, Number>::BlockGaussSeidel(
     const std::shared_ptr<const BlockSparsity> &sparsity,
     const std::vector<NodeLine>                &lines,
-    const std::vector<NodePatch>               &patches)
+    const std::vector<NodePatch>               &patches,
+    const NodePartition                        &nodes)
     : sparsity(sparsity)
     , n_rows(sparsity->n_rows())
   {
     AssertThrow(lines.empty() || patches.empty(),
                 ExcMessage("Lines and patches exclude each other."));
+    std::vector<std::vector<unsigned int>> units;
+    if (!lines.empty() || !patches.empty())
+      units = with_single_nodes(lines.empty() ? patches : lines, n_rows);
+    turns = SweepTurns(nodes, *sparsity, units, !patches.empty());
     if (!lines.empty())
       {
-        factors =
-          LineFactors<n_components, Number>(*sparsity,
-                                            with_single_nodes(lines, n_rows));
+        factors = LineFactors<n_components, Number>(*sparsity, units);
         remainder.resize(factors.longest() * n_components);
-        sorted_columns = sparsity->column;
       }
     if (!patches.empty())
       {
-        patch_factors = PatchFactors<n_components, Number>(
-          n_rows, with_single_nodes(patches, n_rows));
+        patch_factors = PatchFactors<n_components, Number>(n_rows, units);
         remainder.resize(patch_factors.largest() * n_components);
         components.assign(n_rows, 0);
         diagonal.resize(std::size_t(n_rows) * n_components * n_components);
       }
+    if (has_lines() || (turns.n_turns() > 1 && !has_patches()))
+      sorted_columns = sparsity->column;
     lower.row_start.reserve(n_rows + 1);
     upper.row_start.reserve(n_rows + 1);
     first_upper.reserve(n_rows);
@@ -84,21 +98,16 @@ namespace StickSlip
             else if (i != j)
               beside.push_back(j);
           }
-        if (has_lines())
+        if (!sorted_columns.empty())
           {
             beside.push_back(i);
             auto next = sorted_columns.begin() + sparsity->row_start[i];
             for (const auto *columns : {&below, &beside, &above})
               next = std::copy(columns->begin(), columns->end(), next);
           }
-        // Before the others there is the surplus; ghosts have the largest
-        // numbers.
-        const bool has_surplus =
-          patches.empty() && !above.empty() && above.back() >= n_rows;
-        const unsigned int n_upper = above.size() + has_surplus;
         lower.row_start.push_back(lower.row_start.back() + below.size());
-        upper.row_start.push_back(upper.row_start.back() + n_upper);
-        first_upper.push_back(sparsity->row_start[i + 1] - n_upper);
+        upper.row_start.push_back(upper.row_start.back() + above.size());
+        first_upper.push_back(sparsity->row_start[i + 1] - above.size());
       }
     for (Part *part : {&lower, &upper})
       part->values.resize(std::size_t(part->row_start.back()) * n_components *
@@ -117,16 +126,20 @@ namespace StickSlip
   BlockGaussSeidel<n_components, Number>::part_of(const unsigned int row,
                                                   const unsigned int column)
   {
-    // Ghosts lie behind all owned nodes, so they belong to the upper part.
+    const unsigned int turn        = has_patches() ? 0 : turns.turn_of(row),
+                       column_turn = has_patches() ? 0 : turns.turn_of(column);
+    if (column_turn != turn)
+      return column_turn < turn ? &lower : &upper;
+    // Ghosts have other turns, but among patches, whose rows have no order.
     unsigned int of_row = row, of_column = column;
-    if (has_lines() && column < n_rows)
+    if (has_lines())
       {
         of_row    = factors.line_of(row);
         of_column = factors.line_of(column);
       }
     if (of_row == of_column)
       return nullptr;
-    return of_column < of_row && column < n_rows ? &lower : &upper;
+    return of_column < of_row ? &lower : &upper;
   }
 
 
@@ -164,9 +177,7 @@ namespace StickSlip
   {
     Number *next_lower = lower.values.data() + lower.first_value(i),
            *next_upper = upper.values.data() + upper.first_value(i);
-    if (is_at_border(i))
-      next_upper += n_components * n_components;
-    const auto copy = [&](Number *&target, const unsigned int k) {
+    const auto copy    = [&](Number *&target, const unsigned int k) {
       for (unsigned int c = 0; c < n_components; ++c)
         for (unsigned int d = 0; d < n_components; ++d)
           target[Kernels::sweep_position<n_components>(c, d)] =
@@ -175,7 +186,7 @@ namespace StickSlip
     };
     const unsigned int begin = sparsity->row_start[i],
                        end   = sparsity->row_start[i + 1];
-    if (!has_lines())
+    if (sorted_columns.empty())
       {
         for (unsigned int k = begin; k < sparsity->diagonal[i]; ++k)
           copy(next_lower, k);
@@ -220,72 +231,17 @@ namespace StickSlip
         return;
       }
 
-    Tensor<2, n_components> inverse = invert_active(block, active, i);
-    double                  factor  = 1.;
-    if (is_at_border(i))
-      {
-        const double s =
-          border_surplus(inverse, couplings_to_ghosts(i), has_lines());
-        set_surplus(i, s * block);
-        factor += s;
-      }
     if (has_lines())
-      factors.set_diagonal(i, factor * block, active);
-    else
       {
-        inverse /= factor;
-        Number *target = inverse_diagonal.data() +
-                         std::size_t(i) * n_components * n_components;
-        for (unsigned int c = 0; c < n_components; ++c)
-          for (unsigned int d = 0; d < n_components; ++d)
-            target[Kernels::sweep_position<n_components>(c, d)] = inverse[c][d];
+        factors.set_diagonal(i, block, active);
+        return;
       }
-  }
-
-
-
-  template <int n_components, typename Number>
-  bool
-  BlockGaussSeidel<n_components, Number>::is_at_border(
-    const unsigned int i) const
-  {
-    return upper.n_entries(i) > 0 && columns()[first_upper[i]] == i;
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::set_surplus(
-    const unsigned int             i,
-    const Tensor<2, n_components> &S)
-  {
-    Number *target = upper.values.data() + upper.first_value(i);
+    const Tensor<2, n_components> inverse = invert_active(block, active, i);
+    Number                       *target =
+      inverse_diagonal.data() + std::size_t(i) * n_components * n_components;
     for (unsigned int c = 0; c < n_components; ++c)
       for (unsigned int d = 0; d < n_components; ++d)
-        target[Kernels::sweep_position<n_components>(c, d)] = -S[c][d];
-  }
-
-
-
-  template <int n_components, typename Number>
-  std::vector<Tensor<2, n_components>>
-  BlockGaussSeidel<n_components, Number>::couplings_to_ghosts(
-    const unsigned int i) const
-  {
-    std::vector<Tensor<2, n_components>> result;
-    for (unsigned int k = 0; k < upper.n_entries(i); ++k)
-      if (columns()[first_upper[i] + k] >= n_rows)
-        {
-          const Number *values = upper.values.data() + upper.first_value(i) +
-                                 std::size_t(k) * n_components * n_components;
-          result.emplace_back();
-          for (unsigned int c = 0; c < n_components; ++c)
-            for (unsigned int d = 0; d < n_components; ++d)
-              result.back()[c][d] =
-                values[Kernels::sweep_position<n_components>(c, d)];
-        }
-    return result;
+        target[Kernels::sweep_position<n_components>(c, d)] = inverse[c][d];
   }
 
 
@@ -350,6 +306,40 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
+  template <typename Relax>
+  void
+  BlockGaussSeidel<n_components, Number>::forward(const NodeValues<Number> &x,
+                                                  const Relax &relax) const
+  {
+    for (unsigned int turn = 0; turn < turns.n_turns(); ++turn)
+      {
+        for (const auto &[begin, end] : turns.units(turn))
+          relax(begin, end);
+        turns.update_ghosts(x, turn);
+      }
+  }
+
+
+
+  template <int n_components, typename Number>
+  template <typename Relax>
+  void
+  BlockGaussSeidel<n_components, Number>::backward(const NodeValues<Number> &x,
+                                                   const Relax &relax) const
+  {
+    for (unsigned int turn = turns.n_turns(); turn-- > 0;)
+      {
+        const auto &units = turns.units(turn);
+        for (auto range = units.rbegin(); range != units.rend(); ++range)
+          relax(range->first, range->second);
+        if (turn > 0)
+          turns.update_ghosts(x, turn);
+      }
+  }
+
+
+
+  template <int n_components, typename Number>
   void
   BlockGaussSeidel<n_components, Number>::sweep_from_zero(
     NodeValues<Number>       &x,
@@ -358,14 +348,15 @@ namespace StickSlip
     if (has_patches())
       {
         // Patches see each other's nodes before these have been relaxed.
-        x = Number(0.);
-        for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
-          relax_patch(p, b, x);
-        return;
+        std::fill(x.begin(), end_of_local(x), Number(0.));
+        forward(x, [&](const unsigned int begin, const unsigned int end) {
+          for (unsigned int p = begin; p < end; ++p)
+            relax_patch(p, b, x);
+        });
       }
-    if (has_lines())
-      {
-        for (unsigned int l = 0; l < factors.n_lines(); ++l)
+    else if (has_lines())
+      forward(x, [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int l = begin; l < end; ++l)
           {
             const NodeLine &nodes = factors.nodes(l);
             Kernels::remainder_below<n_components>(lower_rows(),
@@ -376,10 +367,16 @@ namespace StickSlip
                                                    remainder.data());
             solve_line(l, x);
           }
-        return;
-      }
-    Kernels::sweep_from_zero<n_components>(
-      lower_rows(), inverse_diagonal.data(), n_rows, b.begin(), x.begin());
+      });
+    else
+      forward(x, [&](const unsigned int begin, const unsigned int end) {
+        Kernels::sweep_from_zero<n_components>(lower_rows(),
+                                               inverse_diagonal.data(),
+                                               begin,
+                                               end,
+                                               b.begin(),
+                                               x.begin());
+      });
   }
 
 
@@ -391,14 +388,7 @@ namespace StickSlip
     const NodeValues<Number> &x,
     const NodeValues<Number> &b) const
   {
-    update_ghosts(x);
-    if (has_patches())
-      residual_with_ghosts(r, x, b);
-    else
-      Kernels::residual_after_sweep<n_components>(upper_rows(),
-                                                  n_rows,
-                                                  x.begin(),
-                                                  r.begin());
+    residual_after_sweep(r, x, x, b);
   }
 
 
@@ -411,22 +401,32 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    change = x;
+    std::copy(x.begin(), end_of_local(x), change.begin());
     if (has_patches())
-      for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
-        relax_patch(p, b, x);
+      forward(x, [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int p = begin; p < end; ++p)
+          relax_patch(p, b, x);
+      });
     else if (has_lines())
-      for (unsigned int l = 0; l < factors.n_lines(); ++l)
-        relax_line(l, b, x);
+      forward(x, [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int l = begin; l < end; ++l)
+          relax_line(l, b, x);
+      });
     else
-      Kernels::sweep_forward<n_components>(lower_rows(),
-                                           upper_rows(),
-                                           inverse_diagonal.data(),
-                                           n_rows,
-                                           b.begin(),
-                                           x.begin());
-    change.sadd(Number(-1.), Number(1.), x);
-    update_ghosts(change);
+      forward(x, [&](const unsigned int begin, const unsigned int end) {
+        Kernels::sweep_forward<n_components>(lower_rows(),
+                                             upper_rows(),
+                                             inverse_diagonal.data(),
+                                             begin,
+                                             end,
+                                             b.begin(),
+                                             x.begin());
+      });
+    std::transform(x.begin(),
+                   end_of_local(x),
+                   change.begin(),
+                   change.begin(),
+                   std::minus<Number>());
   }
 
 
@@ -435,24 +435,19 @@ namespace StickSlip
   void
   BlockGaussSeidel<n_components, Number>::residual_after_sweep(
     NodeValues<Number>       &r,
-    NodeValues<Number>       &x,
+    const NodeValues<Number> &x,
     const NodeValues<Number> &change,
     const NodeValues<Number> &b) const
   {
-    if (!has_patches())
-      {
-        Kernels::residual_after_sweep<n_components>(upper_rows(),
-                                                    n_rows,
-                                                    change.begin(),
-                                                    r.begin());
-        return;
-      }
-    // Ghosts of x and its change have been fetched in the sweep.
-    const unsigned int n_local =
-      x.locally_owned_size() + x.get_partitioner()->n_ghost_indices();
-    for (unsigned int i = x.locally_owned_size(); i < n_local; ++i)
-      x.begin()[i] += change.begin()[i];
-    residual_with_ghosts(r, x, b);
+    if (has_patches())
+      for (unsigned int i = 0; i < n_rows; ++i)
+        remainder_with_diagonal(
+          &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
+    else
+      Kernels::residual_after_sweep<n_components>(upper_rows(),
+                                                  n_rows,
+                                                  change.begin(),
+                                                  r.begin());
   }
 
 
@@ -465,18 +460,25 @@ namespace StickSlip
   {
     update_ghosts(x);
     if (has_patches())
-      for (unsigned int p = patch_factors.n_patches(); p-- > 0;)
-        relax_patch(p, b, x);
+      backward(x, [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int p = end; p-- > begin;)
+          relax_patch(p, b, x);
+      });
     else if (has_lines())
-      for (unsigned int l = factors.n_lines(); l-- > 0;)
-        relax_line(l, b, x);
+      backward(x, [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int l = end; l-- > begin;)
+          relax_line(l, b, x);
+      });
     else
-      Kernels::sweep_backward<n_components>(lower_rows(),
-                                            upper_rows(),
-                                            inverse_diagonal.data(),
-                                            n_rows,
-                                            b.begin(),
-                                            x.begin());
+      backward(x, [&](const unsigned int begin, const unsigned int end) {
+        Kernels::sweep_backward<n_components>(lower_rows(),
+                                              upper_rows(),
+                                              inverse_diagonal.data(),
+                                              begin,
+                                              end,
+                                              b.begin(),
+                                              x.begin());
+      });
   }
 
 
@@ -572,20 +574,6 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::residual_with_ghosts(
-    NodeValues<Number>       &r,
-    const NodeValues<Number> &x,
-    const NodeValues<Number> &b) const
-  {
-    for (unsigned int i = 0; i < n_rows; ++i)
-      remainder_with_diagonal(
-        &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
-  }
-
-
-
-  template <int n_components, typename Number>
   std::size_t
   BlockGaussSeidel<n_components, Number>::Part::memory_consumption() const
   {
@@ -604,8 +592,8 @@ namespace StickSlip
              (first_upper.capacity() + sorted_columns.capacity()) +
            sizeof(Number) *
              (inverse_diagonal.capacity() + diagonal.capacity()) +
-           factors.memory_consumption() + components.capacity() +
-           patch_factors.memory_consumption();
+           turns.memory_consumption() + factors.memory_consumption() +
+           components.capacity() + patch_factors.memory_consumption();
   }
 
 

@@ -13,20 +13,6 @@ namespace StickSlip
 {
   namespace
   {
-    /** The process of each local node. */
-    std::vector<unsigned int>
-    owners_of_local_nodes(const NodePartition &nodes)
-    {
-      std::vector<unsigned int> owners(nodes.n_owned(),
-                                       Utilities::MPI::this_mpi_process(
-                                         nodes.communicator()));
-      for (const auto &[rank, n_ghosts] : nodes.nodes()->ghost_targets())
-        owners.insert(owners.end(), n_ghosts, rank);
-      return owners;
-    }
-
-
-
     /** The couplings of all local nodes with local nodes: those of ghosts are
      * fetched. Ghosts that no owned node couples to have none. */
     std::vector<std::vector<unsigned int>>
@@ -114,7 +100,7 @@ namespace StickSlip
   {
     const unsigned int me =
       Utilities::MPI::this_mpi_process(nodes.communicator());
-    const std::vector<unsigned int> owners = owners_of_local_nodes(nodes);
+    const std::vector<unsigned int> owners = nodes.owners();
     const BlockSparsity             local(
       couplings_of_local_nodes(nodes, level_sparsity, owners));
     std::vector<NodePatch> patches;

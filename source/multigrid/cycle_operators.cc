@@ -83,7 +83,8 @@ namespace StickSlip
                                           description.fixed,
                                           description.nonsmooth_nodes) :
                         std::vector<NodeLine>(),
-      patches);
+      patches,
+      description.nodes);
     // Coarse cells keep the volumes of the patches on the finest level.
     if (has_stiff_volumes && l > 0 && l + 1 < levels.size())
       level.middles =

@@ -5,19 +5,43 @@
 #include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/nonlinear_gauss_seidel.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   template <int n_components>
-  void
-  nonlinear_gauss_seidel(const OperatorSum<n_components>         &operators,
-                         const NonsmoothFunctional<n_components> &functional,
-                         const bool                               is_everywhere,
-                         NodalVector                             &w,
-                         NodalVector                             &r)
+  NonlinearGaussSeidel<n_components>::NonlinearGaussSeidel(
+    const OperatorSum<n_components> &operators)
+    : operators(operators)
+    , turns(operators.unknowns().nodes,
+            operators.matrix().sparsity(),
+            /*units=*/{},
+            /*may_overlap=*/false)
   {
-    const std::vector<unsigned int> &nodes = functional.nodes();
-    const BlockMatrix<n_components> &A     = operators.matrix();
-    const NodeMask                  &fixed = operators.unknowns().fixed;
+    if (turns.n_turns() == 1)
+      return;
+    const NodePartition      &nodes = operators.unknowns().nodes;
+    std::vector<unsigned int> ghosts;
+    for (const unsigned int j : operators.matrix().sparsity().coupled_to(
+           operators.unknowns().nonsmooth_nodes))
+      if (j >= nodes.n_owned())
+        ghosts.push_back(j);
+    beside_nonsmooth_nodes = SomeGhosts(nodes, ghosts);
+  }
+
+
+
+  template <int n_components>
+  void
+  NonlinearGaussSeidel<n_components>::sweep(
+    const NonsmoothFunctional<n_components> &functional,
+    const bool                               is_everywhere,
+    NodalVector                             &w,
+    NodalVector                             &r) const
+  {
+    const std::vector<unsigned int> &nonsmooth = functional.nodes();
+    const BlockMatrix<n_components> &A         = operators.matrix();
+    const NodeMask                  &fixed     = operators.unknowns().fixed;
     const auto                       move_to = [&](const unsigned int             i,
                              const Tensor<1, n_components> &v) {
       A.subtract_column(i, v - block<n_components>(w, i), r);
@@ -25,7 +49,7 @@ namespace StickSlip
         w.local_element(i * n_components + c) = v[c];
     };
     const auto minimise = [&](const unsigned int k) {
-      const unsigned int             i = nodes[k];
+      const unsigned int             i = nonsmooth[k];
       std::array<bool, n_components> active;
       for (unsigned int c = 0; c < n_components; ++c)
         active[c] = fixed.is_active(i, c);
@@ -45,31 +69,36 @@ namespace StickSlip
     };
 
     r.zero_out_ghost_values();
-    unsigned int next = 0;
-    for (unsigned int k = 0; k <= nodes.size(); ++k)
+    for (unsigned int turn = 0; turn < turns.n_turns(); ++turn)
       {
-        const unsigned int end = k < nodes.size() ? nodes[k] : A.n_rows();
+        for (const auto &[begin, end] : turns.units(turn))
+          {
+            unsigned int i = begin;
+            unsigned int k =
+              std::lower_bound(nonsmooth.begin(), nonsmooth.end(), begin) -
+              nonsmooth.begin();
+            for (; k < nonsmooth.size() && nonsmooth[k] < end; ++k)
+              {
+                if (is_everywhere)
+                  for (; i < nonsmooth[k]; ++i)
+                    relax(i);
+                minimise(k);
+                i = nonsmooth[k] + 1;
+              }
+            if (is_everywhere)
+              for (; i < end; ++i)
+                relax(i);
+          }
         if (is_everywhere)
-          for (unsigned int i = next; i < end; ++i)
-            relax(i);
-        if (k < nodes.size())
-          minimise(k);
-        next = end + 1;
+          add_ghosts_to_owners(r);
+        else
+          beside_nonsmooth_nodes.add_to_owners(r);
       }
-    add_ghosts_to_owners(r);
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components)           \
-  template void nonlinear_gauss_seidel<n_components>( \
-    const OperatorSum<n_components> &,                \
-    const NonsmoothFunctional<n_components> &,        \
-    const bool,                                       \
-    NodalVector &,                                    \
-    NodalVector &);
-
-  STICKSLIP_INSTANTIATE(1)
-  STICKSLIP_INSTANTIATE(2)
-  STICKSLIP_INSTANTIATE(3)
+  template class NonlinearGaussSeidel<1>;
+  template class NonlinearGaussSeidel<2>;
+  template class NonlinearGaussSeidel<3>;
 } // namespace StickSlip

@@ -64,27 +64,6 @@ namespace StickSlip
 
 
   template <int n_components>
-  LineSearchResult
-  NonsmoothSolver<n_components>::step_length_of(
-    const std::function<double(double)> &slope_here,
-    const double                         slope_at_start,
-    const double                         slope_at_end,
-    const double                         linear,
-    const double                         square) const
-  {
-    const MPI_Comm communicator = unknowns.nodes.communicator();
-    return find_step_length(
-      [&](const double t) {
-        return Utilities::MPI::sum(slope_here(t), communicator) - linear +
-               t * square;
-      },
-      slope_at_start - linear,
-      slope_at_end - linear + square);
-  }
-
-
-
-  template <int n_components>
   IterationSummary
   NonsmoothSolver<n_components>::carry_out_steps(
     const NonsmoothFunctional<n_components> &functional,
@@ -97,11 +76,9 @@ namespace StickSlip
     // The cache of one process holds the matrix of so few nodes: sweeps over
     // all of them cost little.
     constexpr types::global_dof_index few_nodes = 5000;
-    const bool is_shared = residual.get_partitioner()->n_mpi_processes() > 1;
-    sweeps_everywhere =
-      last_was_slow || (!is_shared && unknowns.nodes.n_global() < few_nodes);
-    // Until there is a correction, its places serve the smoother.
-    NodalVector &before = A_correction, &change = correction;
+    sweeps_everywhere = last_was_slow || unknowns.nodes.n_global() < few_nodes;
+    // Until there is a correction, its place serves the smoother.
+    NodalVector &before = A_correction;
     for_each_swept_entry([&](const unsigned int i) {
       before.local_element(i) = w.local_element(i);
     });
@@ -110,61 +87,27 @@ namespace StickSlip
       sweep(functional, sweeps_everywhere, w, new_residual);
     summary.sweeps_everywhere = sweeps_everywhere;
 
-    // The quadratic part of J changes by -d . r + d . A d / 2 over a change d
-    // of w, where r = b - A w, and A d is the change of -r. In one message with
-    // what the correction begins with, as if the smoother were good.
     LinearProblem problem = truncate(functional, w);
-    const auto [downwards_here, square_here] =
-      find_smoothing(before, w, change);
-    const auto smoother_slope = [&](const double s) {
-      return is_shared ? slope_of(functional, nodes, before, change, s) : 0.;
-    };
+
+    // The quadratic part of J changes by -d . r + d . A d / 2 over a change d
+    // of w, where r = b - A w, and A d is the change of -r.
+    const auto [downwards_here, square_here] = find_smoothing(before, w);
+
     const auto [downwards,
                 change_square,
                 increase_of_all,
-                slope_before,
-                slope_after,
-                energy_of_all,
                 square_of_problem,
-                n_outdated] =
-      sums<8>(
-        {{downwards_here,
-          square_here,
-          increase(functional, nodes, w, before),
-          smoother_slope(0.),
-          smoother_slope(1.),
-          is_shared ? local_product(w, b) - local_product(w, new_residual) : 0.,
-          problem.square,
-          double(problem.is_outdated)}},
-        communicator);
+                n_outdated] = sums<5>({{downwards_here,
+                                        square_here,
+                                        increase(functional, nodes, w, before),
+                                        problem.square,
+                                        double(problem.is_outdated)}},
+                                      communicator);
+
     problem.square      = square_of_problem;
     problem.is_outdated = n_outdated > 0.;
     summary.smoother_decrease =
       downwards - 0.5 * change_square - increase_of_all;
-
-    // Processes that move neighbours at the same time may go too far together.
-    // Slopes of J tell of that where rounding hides it in J.
-    const double rounding = 1e-14 * std::abs(energy_of_all);
-    if (is_shared && std::isfinite(change_square) &&
-        (summary.smoother_decrease < -rounding ||
-         (summary.smoother_decrease < rounding &&
-          slope_before + slope_after - 2. * downwards + change_square > 0.)))
-      {
-        shorten_smoothing(functional,
-                          {downwards, change_square},
-                          {slope_before, slope_after},
-                          before,
-                          w,
-                          summary);
-        problem = agreed(truncate(functional, w));
-      }
-
-    smoothing.clear();
-    smoothing.reserve(sweeps_everywhere ? w.locally_owned_size() :
-                                          nodes.size() * n_components);
-    for_each_swept_entry([&](const unsigned int i) {
-      smoothing.push_back(w.local_element(i) - before.local_element(i));
-    });
 
     std::vector<BoundComponent> at_bound;
     summary.cycles = find_correction(functional, w, problem, at_bound);
@@ -190,8 +133,14 @@ namespace StickSlip
                                       full[1]}},
                                     communicator);
     summary.n_truncated   = std::lround(n_truncated);
-    const LineSearchResult line_search = step_length_of(
-      slope_here, slope_at_start, slope_at_end, linear, curvature);
+    const auto slope      = [&](const double t) {
+      return Utilities::MPI::sum(slope_here(t), communicator) - linear +
+             t * curvature;
+    };
+    const LineSearchResult line_search =
+      find_step_length(slope,
+                       slope_at_start - linear,
+                       slope_at_end - linear + curvature);
     const double t                  = line_search.step_length;
     summary.step_length             = t;
     summary.line_search_evaluations = line_search.evaluations;
@@ -250,16 +199,19 @@ namespace StickSlip
   template <int n_components>
   std::pair<double, double>
   NonsmoothSolver<n_components>::find_smoothing(const NodalVector &before,
-                                                const NodalVector &w,
-                                                NodalVector       &change) const
+                                                const NodalVector &w)
   {
+    smoothing.clear();
+    smoothing.reserve(sweeps_everywhere ?
+                        w.locally_owned_size() :
+                        unknowns.nonsmooth_nodes.size() * n_components);
     double downwards = 0., square = 0.;
     for_each_swept_entry([&](const unsigned int i) {
-      const double its_change = w.local_element(i) - before.local_element(i);
-      change.local_element(i) = its_change;
-      downwards += its_change * residual.local_element(i);
-      square += its_change *
-                (residual.local_element(i) - new_residual.local_element(i));
+      const double change = w.local_element(i) - before.local_element(i);
+      smoothing.push_back(change);
+      downwards += change * residual.local_element(i);
+      square +=
+        change * (residual.local_element(i) - new_residual.local_element(i));
     });
     return {downwards, square};
   }
@@ -410,43 +362,6 @@ namespace StickSlip
       result[0] += *swept++ * (residual.local_element(i) - r_after(i));
     });
     return result;
-  }
-
-
-
-  template <int n_components>
-  void
-  NonsmoothSolver<n_components>::shorten_smoothing(
-    const NonsmoothFunctional<n_components> &functional,
-    const std::pair<double, double>         &quadratic_part,
-    const std::pair<double, double>         &slopes,
-    const NodalVector                       &before,
-    NodalVector                             &w,
-    IterationSummary                        &summary)
-  {
-    const std::vector<unsigned int> &nodes        = unknowns.nonsmooth_nodes;
-    const MPI_Comm                   communicator = w.get_mpi_communicator();
-    const NodalVector               &change       = correction;
-    const auto [downwards, square]                = quadratic_part;
-    const double t                                = step_length_of(
-                       [&](const double s) {
-                         return slope_of(functional, nodes, before, change, s);
-                       },
-                       slopes.first,
-                       slopes.second,
-                       downwards,
-                       square)
-                       .step_length;
-    summary.smoother_step_length = t;
-    for_each_swept_entry([&](const unsigned int i) {
-      w.local_element(i) =
-        before.local_element(i) + t * change.local_element(i);
-    });
-    project(functional, nodes, w);
-    new_residual.sadd(t, 1. - t, residual);
-    summary.smoother_decrease =
-      t * downwards - 0.5 * t * t * square -
-      Utilities::MPI::sum(increase(functional, nodes, w, before), communicator);
   }
 
 

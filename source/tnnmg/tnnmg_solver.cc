@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/tnnmg/nonlinear_gauss_seidel.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 namespace StickSlip
@@ -24,6 +23,7 @@ namespace StickSlip
     std::unique_ptr<LinearCorrection<n_components>> correction)
     : NonsmoothSolver<n_components>(operators.unknowns(), parameters)
     , operators(operators)
+    , smoother(operators)
     , linear_correction(std::move(correction))
   {}
 
@@ -65,7 +65,7 @@ namespace StickSlip
     NodalVector                             &w,
     NodalVector                             &r)
   {
-    nonlinear_gauss_seidel(operators, functional, is_everywhere, w, r);
+    smoother.sweep(functional, is_everywhere, w, r);
   }
 
 

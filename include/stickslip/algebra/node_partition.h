@@ -110,6 +110,15 @@ namespace StickSlip
     types::global_dof_index
     global_index(const unsigned int node) const;
 
+    /** The process of each local node. */
+    std::vector<unsigned int>
+    owners() const;
+
+    /** The partition of vectors of which only some ghosts are read, given by
+     * their global numbers. Collective. */
+    std::shared_ptr<const Utilities::MPI::Partitioner>
+    partition_of_vectors(const IndexSet &some_ghosts) const;
+
     /** The partition of the nodes. */
     const std::shared_ptr<const Utilities::MPI::Partitioner> &
     nodes() const

@@ -49,14 +49,15 @@ namespace StickSlip
       return n_components == 3 ? d * n_components + c : c * n_components + d;
     }
 
-    /** x_i = D_i (b - L x)_i for the rows 0 <= i < n in ascending order, where
-     * D_i is the inverse of the diagonal block, or zero in the rows and columns
-     * of components that must not change. */
+    /** x_i = D_i (b - L x)_i for the rows begin <= i < end in ascending order,
+     * where D_i is the inverse of the diagonal block, or zero in the rows and
+     * columns of components that must not change. */
     template <int n_components, typename Number>
     void
     sweep_from_zero(const Triangle<Number> &lower,
                     const Number           *inverse_diagonal,
-                    const unsigned int      n,
+                    const unsigned int      begin,
+                    const unsigned int      end,
                     const Number           *b,
                     Number                 *x);
 
@@ -68,14 +69,15 @@ namespace StickSlip
                          const Number           *x,
                          Number                 *r);
 
-    /** x_i = D_i (b - L x - U x)_i for the rows 0 <= i < n in ascending
+    /** x_i = D_i (b - L x - U x)_i for the rows begin <= i < end in ascending
      * order. */
     template <int n_components, typename Number>
     void
     sweep_forward(const Triangle<Number> &lower,
                   const Triangle<Number> &upper,
                   const Number           *inverse_diagonal,
-                  const unsigned int      n,
+                  const unsigned int      begin,
+                  const unsigned int      end,
                   const Number           *b,
                   Number                 *x);
 
@@ -85,7 +87,8 @@ namespace StickSlip
     sweep_backward(const Triangle<Number> &lower,
                    const Triangle<Number> &upper,
                    const Number           *inverse_diagonal,
-                   const unsigned int      n,
+                   const unsigned int      begin,
+                   const unsigned int      end,
                    const Number           *b,
                    Number                 *x);
 

@@ -9,6 +9,7 @@
 #include <stickslip/algebra/sweep_kernels.h>
 #include <stickslip/multigrid/line_factors.h>
 #include <stickslip/multigrid/patch_factors.h>
+#include <stickslip/multigrid/sweep_turns.h>
 
 namespace StickSlip
 {
@@ -26,11 +27,9 @@ namespace StickSlip
    * lines. A sweep takes patch after patch, and the residual after it is a
    * passage through the matrix of its own.
    *
-   * On several processes each acts on its own nodes, with the values of the
-   * others as they were before the sweep; CutPatches or, without patches, a
-   * surplus of the diagonal (border_surplus.h) are for what that spoils. A
-   * matrix is split as L + (D + S) + (U - S) then, and the first block of a
-   * row of the upper part is -S.
+   * Processes take turns where their nodes couple (sweep_turns.h), so that a
+   * sweep is one of the whole matrix; patches that have nodes of several
+   * processes are those of CutPatches.
    */
   template <int n_components, typename Number>
   class BlockGaussSeidel
@@ -39,11 +38,13 @@ namespace StickSlip
     BlockGaussSeidel() = default;
 
     /** Nodes that are in none of the @p lines or @p patches, of which one are
-     * empty, are relaxed alone. */
+     * empty, are relaxed alone. Collective; nodes that have not been set are of
+     * one process alone. */
     explicit BlockGaussSeidel(
       const std::shared_ptr<const BlockSparsity> &sparsity,
       const std::vector<NodeLine>                &lines   = {},
-      const std::vector<NodePatch>               &patches = {});
+      const std::vector<NodePatch>               &patches = {},
+      const NodePartition                        &nodes   = NodePartition());
 
     bool
     has_lines() const
@@ -69,15 +70,14 @@ namespace StickSlip
             const BlockMatrix<n_components, OtherNumber> &matrix);
 
     /** Set the diagonal block of a row, of which only the @p active components
-     * are used, after its other blocks. */
+     * are used. */
     void
     set_diagonal(const unsigned int             i,
                  const Tensor<2, n_components> &block,
                  const NodeMask                &active);
 
-    /** x after a forward sweep from zero, and the residual r = b - A x, not
-     * masked. The first of these is without communication, the second fetches
-     * the ghosts of x. */
+    /** x after a forward sweep from zero, with its ghosts, and the residual
+     * r = b - A x, not masked. */
     void
     sweep_from_zero(NodeValues<Number> &x, const NodeValues<Number> &b) const;
 
@@ -86,18 +86,17 @@ namespace StickSlip
                                const NodeValues<Number> &x,
                                const NodeValues<Number> &b) const;
 
-    /** A forward sweep from any x, after which @p change is the change of x,
-     * with its ghosts. */
+    /** A forward sweep from any x, whose ghosts it fetches, after which
+     * @p change is the change of x; both have ghosts. */
     void
     sweep_forward(NodeValues<Number>       &x,
                   NodeValues<Number>       &change,
                   const NodeValues<Number> &b) const;
 
-    /** r = b - A x after sweep_forward() with this @p change, without
-     * communication; the ghosts of x may change. */
+    /** r = b - A x after sweep_forward() with this @p change. */
     void
     residual_after_sweep(NodeValues<Number>       &r,
-                         NodeValues<Number>       &x,
+                         const NodeValues<Number> &x,
                          const NodeValues<Number> &change,
                          const NodeValues<Number> &b) const;
 
@@ -143,7 +142,7 @@ namespace StickSlip
     const std::vector<unsigned int> &
     columns() const
     {
-      return has_lines() ? sorted_columns : sparsity->column;
+      return sorted_columns.empty() ? sparsity->column : sorted_columns;
     }
 
     Kernels::Triangle<Number>
@@ -157,16 +156,17 @@ namespace StickSlip
     Part *
     part_of(const unsigned int row, const unsigned int column);
 
-    /** True if a row has a surplus, which may be zero. */
-    bool
-    is_at_border(const unsigned int i) const;
-
+    /** Call @p relax with the first unit of a range and that behind the last,
+     * turn after turn, and fetch the ghosts of x after each. */
+    template <typename Relax>
     void
-    set_surplus(const unsigned int i, const Tensor<2, n_components> &S);
+    forward(const NodeValues<Number> &x, const Relax &relax) const;
 
-    /** The blocks of a row with ghosts. */
-    std::vector<Tensor<2, n_components>>
-    couplings_to_ghosts(const unsigned int i) const;
+    /** Do so from the last turn to the first, after which no ghosts are
+     * fetched. */
+    template <typename Relax>
+    void
+    backward(const NodeValues<Number> &x, const Relax &relax) const;
 
     /** Relax a line with the values of all others as they are. */
     void
@@ -193,12 +193,6 @@ namespace StickSlip
                             const NodeValues<Number> &x,
                             Number                   *s) const;
 
-    /** r = b - A x with the ghosts that x has. */
-    void
-    residual_with_ghosts(NodeValues<Number>       &r,
-                         const NodeValues<Number> &x,
-                         const NodeValues<Number> &b) const;
-
     /** The part of the matrix that belongs to a patch, row by row, zero where
      * components take no part. */
     void
@@ -206,12 +200,13 @@ namespace StickSlip
 
     std::shared_ptr<const BlockSparsity> sparsity;
     unsigned int                         n_rows = 0;
-    /** With lines: the columns of each row, those of the lower part first, then
-     * those of its line with itself at their end. */
+    /** With lines or several turns: the columns of each row, those of the lower
+     * part first, then those of its line with itself at their end. */
     std::vector<unsigned int> sorted_columns;
     Part                      lower, upper;
     /** For each row the first column of the upper part. */
     std::vector<unsigned int> first_upper;
+    SweepTurns                turns;
     AlignedVector<Number>     inverse_diagonal;
     /** With lines, those of one node among them, in the order of the sweep. */
     LineFactors<n_components, Number> factors;

@@ -24,9 +24,8 @@ namespace StickSlip
    * products of the rows near the nonsmooth nodes where it changes; on several
    * processes, near all of them.
    *
-   * All member functions that compute are collective. Gauss-Seidel acts on the
-   * nodes of each process, with the values of the others as they were before
-   * the sweep. The coarsest level must belong to one process.
+   * All member functions that compute are collective. The coarsest level must
+   * belong to one process.
    */
   template <int n_components>
   class LevelHierarchy

@@ -21,10 +21,6 @@ namespace StickSlip
     double smoother_decrease   = 0;
     double correction_decrease = 0;
 
-    /** Length of the change by the smoother, 1 unless processes went too far
-     * together. */
-    double smoother_step_length = 1;
-
     /** True if the smoother went over all nodes. */
     bool sweeps_everywhere = false;
 

@@ -5,31 +5,44 @@
 #define stickslip_tnnmg_nonlinear_gauss_seidel_h
 
 #include <stickslip/algebra/operator_sum.h>
+#include <stickslip/multigrid/sweep_turns.h>
 #include <stickslip/tnnmg/nonsmooth_functional.h>
 
 namespace StickSlip
 {
   /**
-   * One sweep of block Gauss-Seidel in ascending order for the minimisation of
+   * Block Gauss-Seidel for the minimisation of
    *
    *   1/2 w . A w - b . w + phi(w)
    *
-   * over the components that are not fixed: exact minimisation node after
-   * node, by the inverse of the diagonal block where phi has no term and by
-   * phi's own local minimiser where it has one, or, unless @p is_everywhere, at
-   * the latter only. The residual @p r = b - A w follows, so that such a sweep
-   * reads few rows. On one process the energy never increases. On several each
-   * acts on its own nodes, with the values of the others as they were before
-   * the sweep: that the energy does not increase is for the caller to see to.
-   * Collective among neighbours.
+   * over the components that are not fixed: exact minimisation node after node,
+   * by the inverse of the diagonal block where phi has no term and by phi's own
+   * local minimiser where it has one, so that the energy never increases.
+   * Nodes follow in ascending order, on several processes in turns
+   * (sweep_turns.h).
    */
   template <int n_components>
-  void
-  nonlinear_gauss_seidel(const OperatorSum<n_components>         &operators,
-                         const NonsmoothFunctional<n_components> &functional,
-                         const bool                               is_everywhere,
-                         NodalVector                             &w,
-                         NodalVector                             &r);
+  class NonlinearGaussSeidel
+  {
+  public:
+    /** Collective. */
+    explicit NonlinearGaussSeidel(const OperatorSum<n_components> &operators);
+
+    /** One sweep over all nodes or, unless @p is_everywhere, over the nonsmooth
+     * ones. The residual @p r = b - A w follows, so that such a sweep reads few
+     * rows. Collective among neighbours. */
+    void
+    sweep(const NonsmoothFunctional<n_components> &functional,
+          const bool                               is_everywhere,
+          NodalVector                             &w,
+          NodalVector                             &r) const;
+
+  private:
+    const OperatorSum<n_components> &operators;
+    SweepTurns                       turns;
+    /** Ghosts that nonsmooth nodes couple to. */
+    SomeGhosts beside_nonsmooth_nodes;
+  };
 } // namespace StickSlip
 
 #endif

@@ -198,13 +198,11 @@ namespace StickSlip
       bool   is_outdated = false;
     };
 
-    /** The change by the smoother, from @p before to @p w, at the swept nodes,
-     * and its products with the residual before it and with A times
-     * itself, of this process. */
+    /** Take note of the change by the smoother, from @p before to @p w. Returns
+     * its products with the residual before it and with A times itself, of this
+     * process. */
     std::pair<double, double>
-    find_smoothing(const NodalVector &before,
-                   const NodalVector &w,
-                   NodalVector       &change) const;
+    find_smoothing(const NodalVector &before, const NodalVector &w);
 
     /** Step 2 at the iterate @p w, for this process. */
     LinearProblem
@@ -223,18 +221,6 @@ namespace StickSlip
                   const NodalVector &w,
                   const double       t) const;
 
-    /** Shorten the change by the smoother, which goes from @p before to @p w,
-     * so that J does not increase. @p quadratic_part: the products of the
-     * change with the residual before it and with A times itself; @p slopes of
-     * phi at both ends. Returns the part of it that is left. */
-    void
-    shorten_smoothing(const NonsmoothFunctional<n_components> &functional,
-                      const std::pair<double, double>         &quadratic_part,
-                      const std::pair<double, double>         &slopes,
-                      const NodalVector                       &before,
-                      NodalVector                             &w,
-                      IterationSummary                        &summary);
-
     /** Step 3, to be followed from the iterate @p w. Returns the cycles spent,
      * and gives the components that get to a bound. */
     unsigned int
@@ -242,16 +228,6 @@ namespace StickSlip
                     const NodalVector                       &w,
                     const LinearProblem                     &problem,
                     std::vector<BoundComponent>             &at_bound);
-
-    /** The length of a step along which the quadratic part of J has the slope
-     * -linear + t square, and phi that of which @p slope_here is the part of
-     * this process; both ends of it are known. Collective. */
-    LineSearchResult
-    step_length_of(const std::function<double(double)> &slope_here,
-                   const double                         slope_at_start,
-                   const double                         slope_at_end,
-                   const double                         linear,
-                   const double                         square) const;
 
     std::vector<Tensor<2, n_components>> diagonal_blocks;
     NodalVector new_residual, force, correction, A_correction;

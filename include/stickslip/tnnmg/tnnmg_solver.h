@@ -5,6 +5,7 @@
 #define stickslip_tnnmg_tnnmg_solver_h
 
 #include <stickslip/tnnmg/linear_correction.h>
+#include <stickslip/tnnmg/nonlinear_gauss_seidel.h>
 #include <stickslip/tnnmg/nonsmooth_solver.h>
 
 namespace StickSlip
@@ -14,8 +15,7 @@ namespace StickSlip
    * of NonsmoothSolver on all unknowns, with a LinearCorrection.
    *
    * J decreases in every iteration, which makes the method converge from any
-   * initial iterate. On several processes, whose sweeps do not see each other,
-   * the change by the sweep is shortened where J would increase.
+   * initial iterate.
    */
   template <int n_components>
   class TNNMGSolver : public NonsmoothSolver<n_components>
@@ -80,6 +80,7 @@ namespace StickSlip
             const bool   is_outdated) override;
 
     const OperatorSum<n_components>                &operators;
+    NonlinearGaussSeidel<n_components>              smoother;
     std::unique_ptr<LinearCorrection<n_components>> linear_correction;
   };
 } // namespace StickSlip
