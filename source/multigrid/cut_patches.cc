@@ -3,11 +3,14 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/ghost_numbers.h>
 #include <stickslip/base/make_set.h>
 #include <stickslip/multigrid/cut_patches.h>
+#include <stickslip/multigrid/first_free_turns.h>
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace StickSlip
 {
@@ -54,24 +57,6 @@ namespace StickSlip
 
 
 
-    /** Stiff volumes of all local nodes. */
-    StiffVolumes
-    with_ghosts(const StiffVolumes &owned, const NodePartition &nodes)
-    {
-      NodalVector values(nodes.nodes());
-      for (unsigned int i = 0; i < owned.size(); ++i)
-        if (owned[i] != numbers::invalid_unsigned_int)
-          values.local_element(i) = 1. + owned[i];
-      update_ghosts(values);
-      StiffVolumes result(nodes.n_local(), numbers::invalid_unsigned_int);
-      for (unsigned int i = 0; i < result.size(); ++i)
-        if (values.begin()[i] > 0.)
-          result[i] = static_cast<unsigned int>(values.begin()[i] - 0.5);
-      return result;
-    }
-
-
-
     /** Return if a patch has nodes of several processes, of which @p me is the
      * last one. */
     bool
@@ -103,9 +88,13 @@ namespace StickSlip
     const std::vector<unsigned int> owners = nodes.owners();
     const BlockSparsity             local(
       couplings_of_local_nodes(nodes, level_sparsity, owners));
+    const StiffVolumes volumes =
+      stiff_volumes.empty() ?
+        StiffVolumes(nodes.n_owned(), numbers::invalid_unsigned_int) :
+        stiff_volumes;
     std::vector<NodePatch> patches;
     for (const NodePatch &patch :
-         find_stiff_cells(local, fixed, with_ghosts(stiff_volumes, nodes)))
+         find_stiff_cells(local, fixed, with_ghosts(volumes, nodes)))
       if (is_cut_and_belongs_to(me, patch, owners))
         {
           patches.push_back(patch);
@@ -226,17 +215,10 @@ namespace StickSlip
     for (const auto &some : Utilities::MPI::all_gather(communicator, pairs))
       for (const auto &[p, q] : some)
         before[q].push_back(p);
-    // The first turn that none of these has.
-    std::vector<unsigned int> turns(of_all.size(), 0);
-    for (unsigned int q = 0; q < turns.size(); ++q)
-      {
-        std::vector<unsigned int> taken;
-        for (const unsigned int p : before[q])
-          taken.push_back(turns[p]);
-        while (std::find(taken.begin(), taken.end(), turns[q]) != taken.end())
-          ++turns[q];
-        n_turns = std::max(n_turns, turns[q] + 1);
-      }
+    std::vector<unsigned int> order(of_all.size());
+    std::iota(order.begin(), order.end(), 0);
+    const std::vector<unsigned int> turns = first_free_turns(before, order);
+    n_turns  = 1 + *std::max_element(turns.begin(), turns.end());
     own_turn = turns[Utilities::MPI::this_mpi_process(communicator)];
   }
 

@@ -3,7 +3,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/ghost_numbers.h>
 #include <stickslip/base/make_set.h>
+#include <stickslip/multigrid/first_free_turns.h>
 #include <stickslip/multigrid/sweep_turns.h>
 
 #include <algorithm>
@@ -29,10 +31,10 @@ namespace StickSlip
     std::pair<std::vector<unsigned int>, unsigned int>
     find_pieces(const NodePartition                          &nodes,
                 const BlockSparsity                          &sparsity,
+                const std::vector<unsigned int>              &owners,
                 const std::vector<std::vector<unsigned int>> &units,
                 const bool                                    is_one_piece)
     {
-      const std::vector<unsigned int>                   owners = nodes.owners();
       std::map<std::vector<unsigned int>, unsigned int> numbers;
       std::vector<unsigned int>                         others, result;
       const auto add_others = [&](const unsigned int i) {
@@ -67,20 +69,6 @@ namespace StickSlip
 
 
 
-    /** Values of owned nodes and, fetched, of ghosts. */
-    std::vector<unsigned int>
-    with_ghosts(const std::vector<unsigned int> &of_owned,
-                const NodePartition             &nodes)
-    {
-      NodalVector values(nodes.nodes());
-      std::copy(of_owned.begin(), of_owned.end(), values.begin());
-      update_ghosts(values);
-      return std::vector<unsigned int>(values.begin(),
-                                       values.begin() + nodes.n_local());
-    }
-
-
-
     /** The turn of each piece of this process: the first that none of the
      * pieces that it couples to has, for those that couple to most first. */
     std::vector<unsigned int>
@@ -106,19 +94,7 @@ namespace StickSlip
                        [&](const unsigned int a, const unsigned int b) {
                          return coupled[a].size() > coupled[b].size();
                        });
-      std::vector<unsigned int> turns(coupled.size(),
-                                      numbers::invalid_unsigned_int);
-      std::vector<unsigned int> taken;
-      for (const unsigned int piece : order)
-        {
-          taken.clear();
-          for (const unsigned int other : coupled[piece])
-            taken.push_back(turns[other]);
-          turns[piece] = 0;
-          while (std::find(taken.begin(), taken.end(), turns[piece]) !=
-                 taken.end())
-            ++turns[piece];
-        }
+      const std::vector<unsigned int> turns = first_free_turns(coupled, order);
       const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
       return std::vector<unsigned int>(turns.begin() + first[me],
                                        turns.begin() + first[me + 1]);
@@ -143,8 +119,9 @@ namespace StickSlip
         return;
       }
 
+    const std::vector<unsigned int> owners = nodes.owners();
     const auto [piece_of_unit, n_pieces] =
-      find_pieces(nodes, sparsity, units, may_overlap);
+      find_pieces(nodes, sparsity, owners, units, may_overlap);
     const auto for_nodes_of_unit = [&](const unsigned int u,
                                        const auto        &action) {
       if (units.empty())
@@ -163,9 +140,8 @@ namespace StickSlip
         });
     piece_of_node = with_ghosts(piece_of_node, nodes);
 
-    const std::vector<unsigned int> owners = nodes.owners();
-    Couplings                       couplings(n_pieces);
-    std::vector<bool>               is_read(nodes.n_local(), false);
+    Couplings         couplings(n_pieces);
+    std::vector<bool> is_read(nodes.n_local(), false);
     for (unsigned int i = 0; i < sparsity.n_rows(); ++i)
       for (unsigned int k = sparsity.row_start[i];
            k < sparsity.row_start[i + 1];

@@ -22,12 +22,12 @@ namespace StickSlip
    * would both correct the same error, and where couplings are strong, the
    * sweep would not converge.
    *
-   * What is relaxed at once, a node, a line or a patch, is a unit. Units that
-   * couple to no other process all have the first turn. The others of a process
-   * make a piece for each set of processes that they couple to, or one piece if
-   * units overlap, and pieces that couple have different turns. Turns are as
-   * many as processes meet at a corner, or some more, while most nodes at
-   * borders have one of the first two.
+   * A unit is a node, a line or a patch, whose nodes are relaxed at once. Units
+   * that couple to no other process all have the first turn. The others of a
+   * process make a piece for each set of processes that they couple to, or one
+   * piece if units overlap, and pieces that couple have different turns. Turns
+   * are as many as processes meet at a corner, or some more, while most nodes
+   * at borders have one of the first two.
    *
    * M. F. Adams, A distributed memory unstructured Gauss-Seidel algorithm for
    * multigrid smoothers, Proceedings of SC2001, describes such an order.
