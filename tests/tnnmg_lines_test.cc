@@ -150,11 +150,7 @@ TEST(TNNMGLines, AreSolvedExactlyInTheComponentsThatTakePart)
         LineFactors<2, double> factors(A.sparsity(), {line});
         for (unsigned int i = 0; i < n; ++i)
           {
-            for (unsigned int k = A.sparsity().row_start[i];
-                 k < A.sparsity().row_start[i + 1];
-                 ++k)
-              if (A.sparsity().column[k] != i)
-                factors.set_block(i, A.sparsity().column[k], A.block(k));
+            factors.set_row(i, A);
             factors.set_diagonal(i, A.diagonal_block(i), active);
           }
         factors.factorise();

@@ -3,6 +3,7 @@
 
 #include <stickslip/base/freed_memory.h>
 
+#include <algorithm>
 #include <cstdlib>
 #ifdef __GLIBC__
 #  include <malloc.h>
@@ -11,14 +12,18 @@
 namespace StickSlip
 {
   void
-  give_back_large_blocks()
+  give_back_large_blocks(const std::size_t vector_size)
   {
 #ifdef __GLIBC__
-    // Matrices, not vectors, which are made too often for new pages each time.
-    constexpr int large = 32 * 1024 * 1024;
+    constexpr std::size_t least = 1u << 20;
+    // glibc takes no more.
+    constexpr std::size_t most  = 32u << 20;
+    const int             large = std::clamp(2 * vector_size, least, most);
     mallopt(M_MMAP_MAX, 65536);
     mallopt(M_MMAP_THRESHOLD, large);
-    mallopt(M_TRIM_THRESHOLD, large);
+    mallopt(M_TRIM_THRESHOLD, most);
+#else
+    (void)vector_size;
 #endif
   }
 

@@ -396,6 +396,8 @@ namespace StickSlip
         meshes.clear();
         give_back_freed_memory();
       }
+    give_back_large_blocks(sizeof(double) * n_components *
+                           levels.front().nodes.n_local());
     std::reverse(levels.begin(), levels.end());
     std::reverse(prolongations.begin(), prolongations.end());
   }

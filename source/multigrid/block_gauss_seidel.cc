@@ -35,6 +35,32 @@ namespace StickSlip
 
 
 
+    /** Places of owned nodes and ghosts in the sweep, the same for those of a
+     * line; empty if they are relaxed by their numbers. Ghosts that couple to
+     * an owned node have another turn than that. */
+    std::vector<std::uint64_t>
+    order_of_sweep(const SweepTurns            &turns,
+                   const std::vector<NodeLine> &lines,
+                   const BlockSparsity         &sparsity)
+    {
+      if (turns.n_turns() == 1 && lines.empty())
+        return {};
+      unsigned int n_local = sparsity.n_rows();
+      for (const unsigned int j : sparsity.column)
+        n_local = std::max(n_local, j + 1);
+      std::vector<std::uint64_t> order(n_local);
+      for (unsigned int i = 0; i < n_local; ++i)
+        order[i] = i;
+      for (std::uint64_t l = 0; l < lines.size(); ++l)
+        for (const unsigned int i : lines[l])
+          order[i] = l;
+      for (unsigned int i = 0; i < n_local; ++i)
+        order[i] += std::uint64_t(turns.turn_of(i)) << 32;
+      return order;
+    }
+
+
+
     /** The end of the owned and ghost values of a vector. */
     template <typename Vector>
     auto
@@ -53,117 +79,33 @@ namespace StickSlip
     const std::vector<NodeLine>                &lines,
     const std::vector<NodePatch>               &patches,
     const NodePartition                        &nodes)
-    : sparsity(sparsity)
-    , n_rows(sparsity->n_rows())
   {
     AssertThrow(lines.empty() || patches.empty(),
                 ExcMessage("Lines and patches exclude each other."));
+    const unsigned int                     n_rows = sparsity->n_rows();
     std::vector<std::vector<unsigned int>> units;
     if (!lines.empty() || !patches.empty())
       units = with_single_nodes(lines.empty() ? patches : lines, n_rows);
     turns = SweepTurns(nodes, *sparsity, units, !patches.empty());
-    if (!lines.empty())
-      {
-        factors = LineFactors<n_components, Number>(*sparsity, units);
-        remainder.resize(factors.longest() * n_components);
-      }
     if (!patches.empty())
       {
+        // Rows of patches are read as a whole, in any order.
+        triangles     = SweepTriangles<n_components, Number>(sparsity);
         patch_factors = PatchFactors<n_components, Number>(n_rows, units);
         remainder.resize(patch_factors.largest() * n_components);
-        components.assign(n_rows, 0);
-        diagonal.resize(std::size_t(n_rows) * n_components * n_components);
+        return;
       }
-    if (has_lines() || (turns.n_turns() > 1 && !has_patches()))
-      sorted_columns = sparsity->column;
-    lower.row_start.reserve(n_rows + 1);
-    upper.row_start.reserve(n_rows + 1);
-    first_upper.reserve(n_rows);
-    std::vector<unsigned int> below, beside, above;
-    for (unsigned int i = 0; i < n_rows; ++i)
+    triangles = SweepTriangles<n_components, Number>(
+      sparsity, order_of_sweep(turns, units, *sparsity));
+    if (!lines.empty())
       {
-        below.clear();
-        beside.clear();
-        above.clear();
-        for (unsigned int k = sparsity->row_start[i];
-             k < sparsity->row_start[i + 1];
-             ++k)
-          {
-            const unsigned int j    = sparsity->column[k];
-            const Part        *part = part_of(i, j);
-            if (part == &lower)
-              below.push_back(j);
-            else if (part == &upper)
-              above.push_back(j);
-            else if (i != j)
-              beside.push_back(j);
-          }
-        if (!sorted_columns.empty())
-          {
-            beside.push_back(i);
-            auto next = sorted_columns.begin() + sparsity->row_start[i];
-            for (const auto *columns : {&below, &beside, &above})
-              next = std::copy(columns->begin(), columns->end(), next);
-          }
-        lower.row_start.push_back(lower.row_start.back() + below.size());
-        upper.row_start.push_back(upper.row_start.back() + above.size());
-        first_upper.push_back(sparsity->row_start[i + 1] - above.size());
+        line_factors = LineFactors<n_components, Number>(*sparsity, units);
+        remainder.resize(line_factors.longest() * n_components);
       }
-    for (Part *part : {&lower, &upper})
-      part->values.resize(std::size_t(part->row_start.back()) * n_components *
-                            n_components +
-                          Kernels::sweep_padding);
-    if (!has_lines() && !has_patches())
+    else
       inverse_diagonal.resize(std::size_t(n_rows) * n_components *
                                 n_components +
                               Kernels::sweep_padding);
-  }
-
-
-
-  template <int n_components, typename Number>
-  typename BlockGaussSeidel<n_components, Number>::Part *
-  BlockGaussSeidel<n_components, Number>::part_of(const unsigned int row,
-                                                  const unsigned int column)
-  {
-    const unsigned int turn        = has_patches() ? 0 : turns.turn_of(row),
-                       column_turn = has_patches() ? 0 : turns.turn_of(column);
-    if (column_turn != turn)
-      return column_turn < turn ? &lower : &upper;
-    // Ghosts have other turns, but among patches, whose rows have no order.
-    unsigned int of_row = row, of_column = column;
-    if (has_lines())
-      {
-        of_row    = factors.line_of(row);
-        of_column = factors.line_of(column);
-      }
-    if (of_row == of_column)
-      return nullptr;
-    return of_column < of_row ? &lower : &upper;
-  }
-
-
-
-  template <int n_components, typename Number>
-  Kernels::Triangle<Number>
-  BlockGaussSeidel<n_components, Number>::lower_rows() const
-  {
-    return {lower.row_start.data(),
-            sparsity->row_start.data(),
-            columns().data(),
-            lower.values.data()};
-  }
-
-
-
-  template <int n_components, typename Number>
-  Kernels::Triangle<Number>
-  BlockGaussSeidel<n_components, Number>::upper_rows() const
-  {
-    return {upper.row_start.data(),
-            first_upper.data(),
-            columns().data(),
-            upper.values.data()};
   }
 
 
@@ -175,35 +117,11 @@ namespace StickSlip
     const unsigned int                            i,
     const BlockMatrix<n_components, OtherNumber> &matrix)
   {
-    Number *next_lower = lower.values.data() + lower.first_value(i),
-           *next_upper = upper.values.data() + upper.first_value(i);
-    const auto copy    = [&](Number *&target, const unsigned int k) {
-      for (unsigned int c = 0; c < n_components; ++c)
-        for (unsigned int d = 0; d < n_components; ++d)
-          target[Kernels::sweep_position<n_components>(c, d)] =
-            matrix.block(k)[c * n_components + d];
-      target += n_components * n_components;
-    };
-    const unsigned int begin = sparsity->row_start[i],
-                       end   = sparsity->row_start[i + 1];
-    if (sorted_columns.empty())
-      {
-        for (unsigned int k = begin; k < sparsity->diagonal[i]; ++k)
-          copy(next_lower, k);
-        for (unsigned int k = sparsity->diagonal[i] + 1; k < end; ++k)
-          copy(next_upper, k);
-        if (has_patches())
-          patch_factors.touch(i);
-        return;
-      }
-    for (unsigned int k = begin; k < end; ++k)
-      {
-        const unsigned int j = sparsity->column[k];
-        if (const Part *part = part_of(i, j))
-          copy(part == &lower ? next_lower : next_upper, k);
-        else if (i != j)
-          factors.set_block(i, j, matrix.block(k));
-      }
+    triangles.set_row(i, matrix);
+    if (has_lines())
+      line_factors.set_row(i, matrix);
+    if (has_patches())
+      patch_factors.touch(i);
   }
 
 
@@ -217,23 +135,12 @@ namespace StickSlip
   {
     if (has_patches())
       {
-        components[i] = 0;
-        for (unsigned int c = 0; c < n_components; ++c)
-          {
-            if (active.is_active(i, c))
-              components[i] |= 1u << c;
-            for (unsigned int d = 0; d < n_components; ++d)
-              diagonal[std::size_t(i) * n_components * n_components +
-                       Kernels::sweep_position<n_components>(c, d)] =
-                block[c][d];
-          }
-        patch_factors.touch(i);
+        patch_factors.set_diagonal(i, block, active);
         return;
       }
-
     if (has_lines())
       {
-        factors.set_diagonal(i, block, active);
+        line_factors.set_diagonal(i, block, active);
         return;
       }
     const Tensor<2, n_components> inverse = invert_active(block, active, i);
@@ -250,57 +157,8 @@ namespace StickSlip
   void
   BlockGaussSeidel<n_components, Number>::factorise()
   {
-    factors.factorise();
-    std::vector<double> entries;
-    for (unsigned int p = 0; p < patch_factors.n_patches(); ++p)
-      if (patch_factors.is_outdated(p))
-        {
-          copy_patch(p, entries);
-          patch_factors.set_patch(p, entries);
-        }
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::copy_patch(
-    const unsigned int   p,
-    std::vector<double> &entries) const
-  {
-    constexpr unsigned int block_size = n_components * n_components;
-    const unsigned int     n_nodes    = patch_factors.n_nodes(p);
-    const unsigned int     n          = n_nodes * n_components;
-    const unsigned int    *nodes      = patch_factors.nodes(p);
-    entries.resize(std::size_t(n) * n);
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int b = 0; b <= a; ++b)
-        {
-          // Nodes are in ascending order, and all of them couple.
-          const unsigned int i = nodes[a], j = nodes[b];
-          const Number      *block;
-          if (a == b)
-            block = diagonal.data() + std::size_t(i) * block_size;
-          else
-            {
-              const auto begin = columns().begin() + sparsity->row_start[i];
-              const auto found =
-                std::find(begin, begin + lower.n_entries(i), j);
-              block = lower.values.data() + lower.first_value(i) +
-                      std::size_t(found - begin) * block_size;
-            }
-          for (unsigned int c = 0; c < n_components; ++c)
-            for (unsigned int d = 0; d < n_components; ++d)
-              {
-                const unsigned int k = a * n_components + c,
-                                   m = b * n_components + d;
-                const double value =
-                  ((components[i] >> c) & (components[j] >> d) & 1u) ?
-                    block[Kernels::sweep_position<n_components>(c, d)] :
-                    0.;
-                entries[k * n + m] = entries[m * n + k] = value;
-              }
-        }
+    line_factors.factorise();
+    patch_factors.factorise(triangles);
   }
 
 
@@ -308,14 +166,23 @@ namespace StickSlip
   template <int n_components, typename Number>
   template <typename Relax>
   void
-  BlockGaussSeidel<n_components, Number>::forward(const NodeValues<Number> &x,
-                                                  const Relax &relax) const
+  BlockGaussSeidel<n_components, Number>::for_each_range(
+    const bool                is_forward,
+    const NodeValues<Number> &x,
+    const Relax              &relax) const
   {
-    for (unsigned int turn = 0; turn < turns.n_turns(); ++turn)
+    for (unsigned int k = 0; k < turns.n_turns(); ++k)
       {
-        for (const auto &[begin, end] : turns.units(turn))
-          relax(begin, end);
-        turns.update_ghosts(x, turn);
+        const unsigned int turn   = is_forward ? k : turns.n_turns() - 1 - k;
+        const auto        &ranges = turns.units(turn);
+        for (unsigned int r = 0; r < ranges.size(); ++r)
+          {
+            const auto &[begin, end] =
+              ranges[is_forward ? r : ranges.size() - 1 - r];
+            relax(begin, end);
+          }
+        if (is_forward || turn > 0)
+          turns.update_ghosts(x, turn);
       }
   }
 
@@ -324,16 +191,52 @@ namespace StickSlip
   template <int n_components, typename Number>
   template <typename Relax>
   void
-  BlockGaussSeidel<n_components, Number>::backward(const NodeValues<Number> &x,
-                                                   const Relax &relax) const
+  BlockGaussSeidel<n_components, Number>::for_each_unit(
+    const bool                is_forward,
+    const NodeValues<Number> &x,
+    const Relax              &relax) const
   {
-    for (unsigned int turn = turns.n_turns(); turn-- > 0;)
+    for_each_range(is_forward,
+                   x,
+                   [&](const unsigned int begin, const unsigned int end) {
+                     for (unsigned int k = 0; k < end - begin; ++k)
+                       relax(is_forward ? begin + k : end - 1 - k);
+                   });
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::sweep(
+    const bool                is_forward,
+    NodeValues<Number>       &x,
+    const NodeValues<Number> &b) const
+  {
+    if (has_patches())
+      for_each_unit(is_forward, x, [&](const unsigned int p) {
+        relax_patch(p, b, x);
+      });
+    else if (has_lines())
+      for_each_unit(is_forward, x, [&](const unsigned int l) {
+        relax_line(l, b, x);
+      });
+    else
       {
-        const auto &units = turns.units(turn);
-        for (auto range = units.rbegin(); range != units.rend(); ++range)
-          relax(range->first, range->second);
-        if (turn > 0)
-          turns.update_ghosts(x, turn);
+        const auto kernel = is_forward ?
+                              Kernels::sweep_forward<n_components, Number> :
+                              Kernels::sweep_backward<n_components, Number>;
+        for_each_range(is_forward,
+                       x,
+                       [&](const unsigned int begin, const unsigned int end) {
+                         kernel(triangles.below(),
+                                triangles.above(),
+                                inverse_diagonal.data(),
+                                begin,
+                                end,
+                                b.begin(),
+                                x.begin());
+                       });
       }
   }
 
@@ -349,34 +252,31 @@ namespace StickSlip
       {
         // Patches see each other's nodes before these have been relaxed.
         std::fill(x.begin(), end_of_local(x), Number(0.));
-        forward(x, [&](const unsigned int begin, const unsigned int end) {
-          for (unsigned int p = begin; p < end; ++p)
-            relax_patch(p, b, x);
-        });
+        sweep(/*is_forward=*/true, x, b);
       }
     else if (has_lines())
-      forward(x, [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int l = begin; l < end; ++l)
-          {
-            const NodeLine &nodes = factors.nodes(l);
-            Kernels::remainder_below<n_components>(lower_rows(),
-                                                   nodes.data(),
-                                                   nodes.size(),
-                                                   b.begin(),
-                                                   x.begin(),
-                                                   remainder.data());
-            solve_line(l, x);
-          }
+      for_each_unit(/*is_forward=*/true, x, [&](const unsigned int l) {
+        const NodeLine &nodes = line_factors.nodes(l);
+        Kernels::remainder_below<n_components>(triangles.below(),
+                                               nodes.data(),
+                                               nodes.size(),
+                                               b.begin(),
+                                               x.begin(),
+                                               remainder.data());
+        solve_line(l, x);
       });
     else
-      forward(x, [&](const unsigned int begin, const unsigned int end) {
-        Kernels::sweep_from_zero<n_components>(lower_rows(),
-                                               inverse_diagonal.data(),
-                                               begin,
-                                               end,
-                                               b.begin(),
-                                               x.begin());
-      });
+      for_each_range(/*is_forward=*/true,
+                     x,
+                     [&](const unsigned int begin, const unsigned int end) {
+                       Kernels::sweep_from_zero<n_components>(
+                         triangles.below(),
+                         inverse_diagonal.data(),
+                         begin,
+                         end,
+                         b.begin(),
+                         x.begin());
+                     });
   }
 
 
@@ -402,26 +302,7 @@ namespace StickSlip
   {
     update_ghosts(x);
     std::copy(x.begin(), end_of_local(x), change.begin());
-    if (has_patches())
-      forward(x, [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int p = begin; p < end; ++p)
-          relax_patch(p, b, x);
-      });
-    else if (has_lines())
-      forward(x, [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int l = begin; l < end; ++l)
-          relax_line(l, b, x);
-      });
-    else
-      forward(x, [&](const unsigned int begin, const unsigned int end) {
-        Kernels::sweep_forward<n_components>(lower_rows(),
-                                             upper_rows(),
-                                             inverse_diagonal.data(),
-                                             begin,
-                                             end,
-                                             b.begin(),
-                                             x.begin());
-      });
+    sweep(/*is_forward=*/true, x, b);
     std::transform(x.begin(),
                    end_of_local(x),
                    change.begin(),
@@ -440,14 +321,27 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     if (has_patches())
-      for (unsigned int i = 0; i < n_rows; ++i)
-        remainder_with_diagonal(
-          &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
+      for (unsigned int i = 0; i < triangles.n_rows(); ++i)
+        residual_of(&i, 1, b, x, r.begin() + std::size_t(i) * n_components);
     else
-      Kernels::residual_after_sweep<n_components>(upper_rows(),
-                                                  n_rows,
+      Kernels::residual_after_sweep<n_components>(triangles.above(),
+                                                  triangles.n_rows(),
                                                   change.begin(),
                                                   r.begin());
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  BlockGaussSeidel<n_components, Number>::residual_in_rows(
+    const std::vector<unsigned int> &rows,
+    NodeValues<Number>              &r,
+    const NodeValues<Number>        &x,
+    const NodeValues<Number>        &b) const
+  {
+    for (const unsigned int i : rows)
+      residual_of(&i, 1, b, x, r.begin() + std::size_t(i) * n_components);
   }
 
 
@@ -459,26 +353,7 @@ namespace StickSlip
     const NodeValues<Number> &b) const
   {
     update_ghosts(x);
-    if (has_patches())
-      backward(x, [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int p = end; p-- > begin;)
-          relax_patch(p, b, x);
-      });
-    else if (has_lines())
-      backward(x, [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int l = end; l-- > begin;)
-          relax_line(l, b, x);
-      });
-    else
-      backward(x, [&](const unsigned int begin, const unsigned int end) {
-        Kernels::sweep_backward<n_components>(lower_rows(),
-                                              upper_rows(),
-                                              inverse_diagonal.data(),
-                                              begin,
-                                              end,
-                                              b.begin(),
-                                              x.begin());
-      });
+    sweep(/*is_forward=*/false, x, b);
   }
 
 
@@ -490,9 +365,9 @@ namespace StickSlip
     const NodeValues<Number> &b,
     NodeValues<Number>       &x) const
   {
-    const NodeLine &nodes = factors.nodes(l);
-    Kernels::remainder_beside<n_components>(lower_rows(),
-                                            upper_rows(),
+    const NodeLine &nodes = line_factors.nodes(l);
+    Kernels::remainder_beside<n_components>(triangles.below(),
+                                            triangles.above(),
                                             nodes.data(),
                                             nodes.size(),
                                             b.begin(),
@@ -509,37 +384,12 @@ namespace StickSlip
     const unsigned int  l,
     NodeValues<Number> &x) const
   {
-    factors.solve(l, remainder.data());
-    const NodeLine &nodes = factors.nodes(l);
+    line_factors.solve(l, remainder.data());
+    const NodeLine &nodes = line_factors.nodes(l);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       std::copy_n(remainder.data() + std::size_t(k) * n_components,
                   n_components,
                   x.begin() + std::size_t(nodes[k]) * n_components);
-  }
-
-
-
-  template <int n_components, typename Number>
-  void
-  BlockGaussSeidel<n_components, Number>::remainder_with_diagonal(
-    const unsigned int       *rows,
-    const unsigned int        n,
-    const NodeValues<Number> &b,
-    const NodeValues<Number> &x,
-    Number                   *s) const
-  {
-    Kernels::remainder_beside<n_components>(
-      lower_rows(), upper_rows(), rows, n, b.begin(), x.begin(), s);
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        const std::size_t first = std::size_t(rows[k]) * n_components;
-        const Number     *D     = diagonal.data() + first * n_components;
-        const Number     *x_k   = x.begin() + first;
-        for (unsigned int c = 0; c < n_components; ++c)
-          for (unsigned int d = 0; d < n_components; ++d)
-            s[k * n_components + c] -=
-              D[Kernels::sweep_position<n_components>(c, d)] * x_k[d];
-      }
   }
 
 
@@ -551,7 +401,7 @@ namespace StickSlip
     const NodeValues<Number> &b,
     NodeValues<Number>       &x) const
   {
-    remainder_with_diagonal(
+    residual_of(
       patch_factors.nodes(p), patch_factors.n_nodes(p), b, x, remainder.data());
     patch_factors.add_solution(p, remainder.data(), x.begin());
   }
@@ -560,25 +410,19 @@ namespace StickSlip
 
   template <int n_components, typename Number>
   void
-  BlockGaussSeidel<n_components, Number>::residual_in_rows(
-    const std::vector<unsigned int> &rows,
-    NodeValues<Number>              &r,
-    const NodeValues<Number>        &x,
-    const NodeValues<Number>        &b) const
+  BlockGaussSeidel<n_components, Number>::residual_of(
+    const unsigned int       *rows,
+    const unsigned int        n,
+    const NodeValues<Number> &b,
+    const NodeValues<Number> &x,
+    Number                   *s) const
   {
-    for (const unsigned int i : rows)
-      remainder_with_diagonal(
-        &i, 1, b, x, r.begin() + std::size_t(i) * n_components);
-  }
-
-
-
-  template <int n_components, typename Number>
-  std::size_t
-  BlockGaussSeidel<n_components, Number>::Part::memory_consumption() const
-  {
-    return sizeof(unsigned int) * row_start.capacity() +
-           sizeof(Number) * values.capacity();
+    Kernels::remainder_beside<n_components>(
+      triangles.below(), triangles.above(), rows, n, b.begin(), x.begin(), s);
+    for (unsigned int k = 0; k < n; ++k)
+      patch_factors.subtract_diagonal(rows[k],
+                                      x.begin(),
+                                      s + std::size_t(k) * n_components);
   }
 
 
@@ -587,37 +431,26 @@ namespace StickSlip
   std::size_t
   BlockGaussSeidel<n_components, Number>::memory_consumption() const
   {
-    return lower.memory_consumption() + upper.memory_consumption() +
-           sizeof(unsigned int) *
-             (first_upper.capacity() + sorted_columns.capacity()) +
-           sizeof(Number) *
-             (inverse_diagonal.capacity() + diagonal.capacity()) +
-           turns.memory_consumption() + factors.memory_consumption() +
-           components.capacity() + patch_factors.memory_consumption();
+    return triangles.memory_consumption() + turns.memory_consumption() +
+           sizeof(Number) * inverse_diagonal.capacity() +
+           line_factors.memory_consumption() +
+           patch_factors.memory_consumption();
   }
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components, Number)                      \
-  template class BlockGaussSeidel<n_components, Number>;                 \
-  template void BlockGaussSeidel<n_components, Number>::set_row<double>( \
+#define STICKSLIP_INSTANTIATE(n_components)                              \
+  template class BlockGaussSeidel<n_components, float>;                  \
+  template class BlockGaussSeidel<n_components, double>;                 \
+  template void BlockGaussSeidel<n_components, float>::set_row<float>(   \
+    const unsigned int, const BlockMatrix<n_components, float> &);       \
+  template void BlockGaussSeidel<n_components, float>::set_row<double>(  \
+    const unsigned int, const BlockMatrix<n_components, double> &);      \
+  template void BlockGaussSeidel<n_components, double>::set_row<double>( \
     const unsigned int, const BlockMatrix<n_components, double> &);
 
-  STICKSLIP_INSTANTIATE(1, float)
-  STICKSLIP_INSTANTIATE(2, float)
-  STICKSLIP_INSTANTIATE(1, double)
-  STICKSLIP_INSTANTIATE(2, double)
-  STICKSLIP_INSTANTIATE(3, float)
-  STICKSLIP_INSTANTIATE(3, double)
+  STICKSLIP_INSTANTIATE(1)
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 #undef STICKSLIP_INSTANTIATE
-
-  template void
-  BlockGaussSeidel<1, float>::set_row(const unsigned int,
-                                      const BlockMatrix<1, float> &);
-  template void
-  BlockGaussSeidel<2, float>::set_row(const unsigned int,
-                                      const BlockMatrix<2, float> &);
-  template void
-  BlockGaussSeidel<3, float>::set_row(const unsigned int,
-                                      const BlockMatrix<3, float> &);
 } // namespace StickSlip

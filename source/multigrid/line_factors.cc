@@ -143,19 +143,25 @@ namespace StickSlip
   template <int n_components, typename Number>
   template <typename OtherNumber>
   void
-  LineFactors<n_components, Number>::set_block(const unsigned int row,
-                                               const unsigned int column,
-                                               const OtherNumber *block)
+  LineFactors<n_components, Number>::set_row(
+    const unsigned int                            node,
+    const BlockMatrix<n_components, OtherNumber> &matrix)
   {
-    if (place[column] >= place[row])
-      return;
-    Line &its_line      = lines[line[row]];
-    its_line.is_current = false;
-    std::copy(block,
-              block + block_size,
-              band.begin() + band_position(its_line,
-                                           place[row],
-                                           place[row] - place[column] - 1));
+    Line                &its_line = lines[line[node]];
+    const BlockSparsity &sparsity = matrix.sparsity();
+    its_line.is_current           = false;
+    for (unsigned int k = sparsity.row_start[node];
+         k < sparsity.row_start[node + 1];
+         ++k)
+      {
+        const unsigned int j = sparsity.column[k];
+        if (j < line.size() && line[j] == line[node] && place[j] < place[node])
+          std::copy_n(matrix.block(k),
+                      block_size,
+                      band.begin() + band_position(its_line,
+                                                   place[node],
+                                                   place[node] - place[j] - 1));
+      }
   }
 
 
@@ -292,29 +298,18 @@ namespace StickSlip
 
 
 
-#define STICKSLIP_INSTANTIATE(n_components, Number)                   \
-  template class LineFactors<n_components, Number>;                   \
-  template void LineFactors<n_components, Number>::set_block<double>( \
-    const unsigned int, const unsigned int, const double *);
+#define STICKSLIP_INSTANTIATE(n_components)                         \
+  template class LineFactors<n_components, float>;                  \
+  template class LineFactors<n_components, double>;                 \
+  template void LineFactors<n_components, float>::set_row<float>(   \
+    const unsigned int, const BlockMatrix<n_components, float> &);  \
+  template void LineFactors<n_components, float>::set_row<double>(  \
+    const unsigned int, const BlockMatrix<n_components, double> &); \
+  template void LineFactors<n_components, double>::set_row<double>( \
+    const unsigned int, const BlockMatrix<n_components, double> &);
 
-  STICKSLIP_INSTANTIATE(1, float)
-  STICKSLIP_INSTANTIATE(2, float)
-  STICKSLIP_INSTANTIATE(3, float)
-  STICKSLIP_INSTANTIATE(1, double)
-  STICKSLIP_INSTANTIATE(2, double)
-  STICKSLIP_INSTANTIATE(3, double)
+  STICKSLIP_INSTANTIATE(1)
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
 #undef STICKSLIP_INSTANTIATE
-
-  template void
-  LineFactors<1, float>::set_block(const unsigned int,
-                                   const unsigned int,
-                                   const float *);
-  template void
-  LineFactors<2, float>::set_block(const unsigned int,
-                                   const unsigned int,
-                                   const float *);
-  template void
-  LineFactors<3, float>::set_block(const unsigned int,
-                                   const unsigned int,
-                                   const float *);
 } // namespace StickSlip

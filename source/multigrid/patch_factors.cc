@@ -17,10 +17,10 @@ namespace StickSlip
      */
     void
     invert_in_place(std::vector<double> &A,
-                    std::vector<double> &diagonal,
                     const unsigned int   n,
                     const double         precision)
     {
+      std::vector<double> diagonal(n);
       for (unsigned int i = 0; i < n; ++i)
         diagonal[i] = A[i * n + i];
       for (unsigned int k = 0; k < n; ++k)
@@ -57,6 +57,8 @@ namespace StickSlip
     const std::vector<NodePatch> &patches)
     : first_patch(n_nodes + 1, 0)
     , is_current(patches.size(), true)
+    , diagonal(std::size_t(n_nodes) * block_size)
+    , components(n_nodes, 0)
   {
     std::size_t n_entries = 0;
     for (const NodePatch &nodes : patches)
@@ -106,29 +108,78 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
-  bool
-  PatchFactors<n_components, Number>::is_outdated(const unsigned int p) const
+  void
+  PatchFactors<n_components, Number>::set_diagonal(
+    const unsigned int             i,
+    const Tensor<2, n_components> &block,
+    const NodeMask                &active)
   {
-    return !is_current[p];
+    components[i] = 0;
+    for (unsigned int c = 0; c < n_components; ++c)
+      {
+        if (active.is_active(i, c))
+          components[i] |= 1u << c;
+        for (unsigned int d = 0; d < n_components; ++d)
+          diagonal[std::size_t(i) * block_size +
+                   Kernels::sweep_position<n_components>(c, d)] = block[c][d];
+      }
+    touch(i);
   }
 
 
 
   template <int n_components, typename Number>
   void
-  PatchFactors<n_components, Number>::set_patch(const unsigned int   p,
-                                                std::vector<double> &entries)
+  PatchFactors<n_components, Number>::copy_patch(
+    const unsigned int                          p,
+    const SweepTriangles<n_components, Number> &matrix,
+    std::vector<double>                        &entries) const
   {
-    const unsigned int n = n_nodes(p) * n_components;
-    diagonal.resize(n);
-    invert_in_place(entries,
-                    diagonal,
-                    n,
-                    std::numeric_limits<Number>::epsilon());
-    std::copy_n(entries.begin(),
-                std::size_t(n) * n,
-                inverse.begin() + first_entry[p]);
-    is_current[p] = true;
+    const unsigned int  n   = n_nodes(p) * n_components;
+    const unsigned int *its = nodes(p);
+    entries.resize(std::size_t(n) * n);
+    for (unsigned int a = 0; a < n_nodes(p); ++a)
+      for (unsigned int b = 0; b <= a; ++b)
+        {
+          // Nodes are in ascending order, and all of them couple.
+          const unsigned int i = its[a], j = its[b];
+          const Number      *block =
+            a == b ? diagonal.data() + std::size_t(i) * block_size :
+                          matrix.block_below(i, j);
+          for (unsigned int c = 0; c < n_components; ++c)
+            for (unsigned int d = 0; d < n_components; ++d)
+              {
+                const unsigned int k = a * n_components + c,
+                                   m = b * n_components + d;
+                const double value =
+                  ((components[i] >> c) & (components[j] >> d) & 1u) ?
+                    block[Kernels::sweep_position<n_components>(c, d)] :
+                    0.;
+                entries[k * n + m] = entries[m * n + k] = value;
+              }
+        }
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  PatchFactors<n_components, Number>::factorise(
+    const SweepTriangles<n_components, Number> &matrix)
+  {
+    std::vector<double> entries;
+    for (unsigned int p = 0; p < n_patches(); ++p)
+      if (!is_current[p])
+        {
+          copy_patch(p, matrix, entries);
+          invert_in_place(entries,
+                          n_nodes(p) * n_components,
+                          std::numeric_limits<Number>::epsilon());
+          std::copy(entries.begin(),
+                    entries.end(),
+                    inverse.begin() + first_entry[p]);
+          is_current[p] = true;
+        }
   }
 
 
@@ -161,7 +212,8 @@ namespace StickSlip
     return sizeof(unsigned int) * (first_node.capacity() + node.capacity() +
                                    first_patch.capacity() + patch.capacity()) +
            sizeof(std::size_t) * first_entry.capacity() +
-           sizeof(Number) * inverse.capacity() + is_current.capacity() / 8;
+           sizeof(Number) * (inverse.capacity() + diagonal.capacity()) +
+           is_current.capacity() / 8 + components.capacity();
   }
 
 

@@ -4,9 +4,6 @@
 #ifndef stickslip_multigrid_block_gauss_seidel_h
 #define stickslip_multigrid_block_gauss_seidel_h
 
-#include <stickslip/algebra/block_matrix.h>
-#include <stickslip/algebra/node_mask.h>
-#include <stickslip/algebra/sweep_kernels.h>
 #include <stickslip/multigrid/line_factors.h>
 #include <stickslip/multigrid/patch_factors.h>
 #include <stickslip/multigrid/sweep_turns.h>
@@ -15,17 +12,14 @@ namespace StickSlip
 {
   /**
    * Block Gauss-Seidel as the smoother of a multigrid cycle: the owned rows of
-   * a block matrix, stored as sweep_kernels.h wants them, with the inverses of
-   * the diagonal blocks of the components that take part. Components that do
-   * not are zero in every result, and must be zero in every start.
+   * a block matrix, and the inverses of the diagonal blocks of the components
+   * that take part. Components that do not are zero in every result, and must
+   * be zero in every start.
    *
    * If there are lines of strongly coupled nodes (strong_lines.h), all nodes
-   * of a line are relaxed at once, and "below the diagonal" are couplings to
-   * nodes and lines that come earlier; without lines nothing of this is there.
-   *
-   * If there are patches (volume_cells.h), which may overlap, there are no
-   * lines. A sweep takes patch after patch, and the residual after it is a
-   * passage through the matrix of its own.
+   * of a line are relaxed at once. If there are patches (volume_cells.h), which
+   * may overlap, a sweep takes patch after patch, and the residual after it is
+   * a passage through the matrix of its own.
    *
    * Processes take turns where their nodes couple (sweep_turns.h), so that a
    * sweep is one of the whole matrix; patches that have nodes of several
@@ -49,7 +43,7 @@ namespace StickSlip
     bool
     has_lines() const
     {
-      return factors.n_lines() > 0;
+      return line_factors.n_lines() > 0;
     }
 
     bool
@@ -115,58 +109,27 @@ namespace StickSlip
     memory_consumption() const;
 
   private:
-    struct Part
-    {
-      std::vector<unsigned int> row_start = {0};
-      AlignedVector<Number>     values;
-
-      /** Position of the first number of a row. */
-      std::size_t
-      first_value(const unsigned int row) const
-      {
-        return std::size_t(row_start[row]) * n_components * n_components;
-      }
-
-      unsigned int
-      n_entries(const unsigned int row) const
-      {
-        return row_start[row + 1] - row_start[row];
-      }
-
-      std::size_t
-      memory_consumption() const;
-    };
-
-    /** The columns of the rows of the matrix, those of the lower part first and
-     * those of the upper part last. */
-    const std::vector<unsigned int> &
-    columns() const
-    {
-      return sorted_columns.empty() ? sparsity->column : sorted_columns;
-    }
-
-    Kernels::Triangle<Number>
-    lower_rows() const;
-
-    Kernels::Triangle<Number>
-    upper_rows() const;
-
-    /** The part of a coupling, empty if it belongs to a diagonal block or a
-     * line. */
-    Part *
-    part_of(const unsigned int row, const unsigned int column);
-
     /** Call @p relax with the first unit of a range and that behind the last,
-     * turn after turn, and fetch the ghosts of x after each. */
+     * turn after turn or from the last to the first, and fetch the ghosts of x
+     * after each, but those of the first turn after a backward sweep. */
     template <typename Relax>
     void
-    forward(const NodeValues<Number> &x, const Relax &relax) const;
+    for_each_range(const bool                is_forward,
+                   const NodeValues<Number> &x,
+                   const Relax              &relax) const;
 
-    /** Do so from the last turn to the first, after which no ghosts are
-     * fetched. */
+    /** Call @p relax with unit after unit. */
     template <typename Relax>
     void
-    backward(const NodeValues<Number> &x, const Relax &relax) const;
+    for_each_unit(const bool                is_forward,
+                  const NodeValues<Number> &x,
+                  const Relax              &relax) const;
+
+    /** Relax all units with the values of the others as they are. */
+    void
+    sweep(const bool                is_forward,
+          NodeValues<Number>       &x,
+          const NodeValues<Number> &b) const;
 
     /** Relax a line with the values of all others as they are. */
     void
@@ -174,7 +137,7 @@ namespace StickSlip
                const NodeValues<Number> &b,
                NodeValues<Number>       &x) const;
 
-    /** x at its nodes from the remainder. */
+    /** x at the nodes of a line from the remainder. */
     void
     solve_line(const unsigned int l, NodeValues<Number> &x) const;
 
@@ -184,42 +147,26 @@ namespace StickSlip
                 const NodeValues<Number> &b,
                 NodeValues<Number>       &x) const;
 
-    /** Write (b - A x)_i for @p n rows one after the other to @p s, of whose
-     * products only that with the diagonal block is not in a part. */
+    /** Write (b - A x)_i for @p n rows one after the other to @p s; with
+     * patches. */
     void
-    remainder_with_diagonal(const unsigned int       *rows,
-                            const unsigned int        n,
-                            const NodeValues<Number> &b,
-                            const NodeValues<Number> &x,
-                            Number                   *s) const;
+    residual_of(const unsigned int       *rows,
+                const unsigned int        n,
+                const NodeValues<Number> &b,
+                const NodeValues<Number> &x,
+                Number                   *s) const;
 
-    /** The part of the matrix that belongs to a patch, row by row, zero where
-     * components take no part. */
-    void
-    copy_patch(const unsigned int p, std::vector<double> &entries) const;
-
-    std::shared_ptr<const BlockSparsity> sparsity;
-    unsigned int                         n_rows = 0;
-    /** With lines or several turns: the columns of each row, those of the lower
-     * part first, then those of its line with itself at their end. */
-    std::vector<unsigned int> sorted_columns;
-    Part                      lower, upper;
-    /** For each row the first column of the upper part. */
-    std::vector<unsigned int> first_upper;
-    SweepTurns                turns;
-    AlignedVector<Number>     inverse_diagonal;
-    /** With lines, those of one node among them, in the order of the sweep. */
-    LineFactors<n_components, Number> factors;
-    /** With patches, those of one node among them, in the order of the sweep,
-     * also the diagonal blocks and the bits of the components that take part.
-     */
+    SweepTriangles<n_components, Number> triangles;
+    SweepTurns                           turns;
+    /** Of nodes that are relaxed alone, without lines and patches. */
+    AlignedVector<Number> inverse_diagonal;
+    /** With lines or patches, those of one node among them, in the order of
+     * the sweep. */
+    LineFactors<n_components, Number>  line_factors;
     PatchFactors<n_components, Number> patch_factors;
-    AlignedVector<Number>              diagonal;
-    std::vector<std::uint8_t>          components;
     /** The right hand side of a line or a patch. */
     mutable std::vector<Number> remainder;
   };
-
 } // namespace StickSlip
 
 #endif

@@ -33,13 +33,6 @@ namespace StickSlip
       return lines.size();
     }
 
-    /** The line of a node, or numbers::invalid_unsigned_int. */
-    unsigned int
-    line_of(const unsigned int node) const
-    {
-      return lines.empty() ? numbers::invalid_unsigned_int : line[node];
-    }
-
     const NodeLine &
     nodes(const unsigned int l) const
     {
@@ -50,13 +43,12 @@ namespace StickSlip
     unsigned int
     longest() const;
 
-    /** Set the block of two nodes of a line, of which only that with the row of
-     * the later one counts; given row by row. */
+    /** Take over the blocks of a row that couple a node to earlier ones of its
+     * line. */
     template <typename OtherNumber>
     void
-    set_block(const unsigned int row,
-              const unsigned int column,
-              const OtherNumber *block);
+    set_row(const unsigned int                            node,
+            const BlockMatrix<n_components, OtherNumber> &matrix);
 
     /** Set the diagonal block of a node of a line, of which only the @p active
      * components take part. */

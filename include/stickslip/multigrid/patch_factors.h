@@ -6,8 +6,11 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <stickslip/algebra/node_mask.h>
+#include <stickslip/multigrid/sweep_triangles.h>
 #include <stickslip/multigrid/volume_cells.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace StickSlip
@@ -53,15 +56,28 @@ namespace StickSlip
     void
     touch(const unsigned int i);
 
-    /** Return if the patch has a node that has been touched since it was set
-     * last. */
-    bool
-    is_outdated(const unsigned int p) const;
-
-    /** Set a patch by its part of the matrix, row by row, with rows and columns
-     * of components that take no part zero; destroys that. */
+    /** Set the diagonal block of a node, of which only the @p active components
+     * take part. */
     void
-    set_patch(const unsigned int p, std::vector<double> &entries);
+    set_diagonal(const unsigned int             i,
+                 const Tensor<2, n_components> &block,
+                 const NodeMask                &active);
+
+    /** Factorise the patches of nodes that have changed, whose couplings are
+     * those of the matrix; nodes come by their numbers in it. */
+    void
+    factorise(const SweepTriangles<n_components, Number> &matrix);
+
+    /** Subtract the product of the diagonal block of a node and x from @p s. */
+    void
+    subtract_diagonal(const unsigned int i, const Number *x, Number *s) const
+    {
+      const Number *block = diagonal.data() + std::size_t(i) * block_size;
+      const Number *x_i   = x + std::size_t(i) * n_components;
+      for (unsigned int c = 0; c < n_components; ++c)
+        for (unsigned int d = 0; d < n_components; ++d)
+          s[c] -= block[Kernels::sweep_position<n_components>(c, d)] * x_i[d];
+    }
 
     /** Add the solution for a right hand side, one node after the other, to
      * x at these nodes. */
@@ -73,6 +89,15 @@ namespace StickSlip
     memory_consumption() const;
 
   private:
+    static constexpr unsigned int block_size = n_components * n_components;
+
+    /** The part of the matrix that belongs to a patch, row by row, zero where
+     * components take no part. */
+    void
+    copy_patch(const unsigned int                          p,
+               const SweepTriangles<n_components, Number> &matrix,
+               std::vector<double>                        &entries) const;
+
     std::vector<unsigned int> first_node = {0};
     std::vector<unsigned int> node;
     /** Patches of the nodes. */
@@ -82,8 +107,10 @@ namespace StickSlip
     std::vector<std::size_t> first_entry;
     AlignedVector<Number>    inverse;
     std::vector<bool>        is_current;
-    /** Work space. */
-    std::vector<double> diagonal;
+    /** By node: its diagonal block, as the kernels store it, and bits of the
+     * components that take part. */
+    std::vector<Number>       diagonal;
+    std::vector<std::uint8_t> components;
   };
 } // namespace StickSlip
 
