@@ -8,12 +8,10 @@
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/magnitude.h>
 #include <stickslip/condensed/condensed_solver.h>
-#include <stickslip/faults/contact_pressure.h>
 #include <stickslip/faults/fault_norm.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/backward_differences.h>
 #include <stickslip/time/contact_implicit.h>
-#include <stickslip/time/impact.h>
 #include <stickslip/time/newmark.h>
 #include <stickslip/time/rate_state_step.h>
 #include <stickslip/tnnmg/functional_sums.h>
@@ -144,10 +142,18 @@ namespace StickSlip
     StepCounts       &counts = result.counts;
     try
       {
-        NodalVector   rhs = time_scheme->right_hand_side(problem, from, tau);
-        ContactOfStep contact = start_contact(from, tau, rhs);
-        to                    = predict(from, tau, prediction);
-        NodalVector w         = unknowns(to);
+        NodalVector rhs = time_scheme->right_hand_side(problem, from, tau);
+        StepContact<dim, n_components> contact(problem,
+                                               fault_nodes,
+                                               node_laws,
+                                               unilateral,
+                                               *time_scheme,
+                                               time_parameters.inertia,
+                                               from,
+                                               tau);
+        contact.start(rhs, *friction);
+        to            = predict(from, tau, prediction, contact);
+        NodalVector w = unknowns(to);
         problem.combine(
           time_scheme->operator_coefficients(tau, from.last_step));
         solver->start(rhs, w);
@@ -162,20 +168,16 @@ namespace StickSlip
             ++counts.rate_state_iterations;
             counts.tnnmg_iterations += rate.iterations.size();
             counts.multigrid_cycles += rate.n_cycles();
-            if (unilateral.is_needed())
-              contact.touching =
-                unilateral.touching(fault_nodes.opening_jumps(w),
-                                    contact.bounds);
+            contact.find_touching(w);
             const double of_state = update_state(to, from, w, tau, contact);
             const double of_stress =
-              follow_pressure(to, from, tau, rhs, w, contact, stress);
+              follow_pressure(to, rhs, w, contact, stress);
             settled = have_settled(
               rate, of_state, of_stress, change, counts.rate_state_iterations);
             change = std::hypot(of_state, of_stress);
           }
         complete(to, from, tau, rhs, w, contact);
-        if (unilateral.is_needed())
-          complete_contact(result, from, tau, rhs, w, contact);
+        contact.complete(result, rhs, w);
         result.converged = true;
       }
     catch (const SingularMatrix &error)
@@ -191,26 +193,6 @@ namespace StickSlip
         result.failure = "the velocities after an impact were not found";
       }
     return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  typename RateStateStep<dim, n_components>::ContactOfStep
-  RateStateStep<dim, n_components>::start_contact(const SystemState<dim> &from,
-                                                  const double            tau,
-                                                  NodalVector            &rhs)
-  {
-    ContactOfStep contact;
-    if (!unilateral.is_needed())
-      return contact;
-    contact.path   = time_scheme->gap_path(tau, from.last_step);
-    contact.bounds = unilateral.bounds(from, contact.path);
-    unilateral.add_prestress(rhs, from, contact.path);
-    friction->set_opening_bounds(fault_nodes.at_owned_contact(contact.bounds));
-    friction->set_cohesion(
-      fault_nodes.at_owned_contact(unilateral.cohesion(from)));
-    return contact;
   }
 
 
@@ -233,9 +215,10 @@ namespace StickSlip
   template <int dim, int n_components>
   SystemState<dim>
   RateStateStep<dim, n_components>::predict(
-    const SystemState<dim> &from,
-    const double            tau,
-    const Prediction<dim>  *prediction) const
+    const SystemState<dim>               &from,
+    const double                          tau,
+    const Prediction<dim>                *prediction,
+    const StepContact<dim, n_components> &contact) const
   {
     SystemState<dim> to;
     to.time          = from.time + tau;
@@ -245,12 +228,9 @@ namespace StickSlip
       {
         to.contact_pressure =
           prediction ? prediction->contact_pressure : from.contact_pressure;
-        std::vector<bool> touching;
-        for (const double gap : from.gap)
-          touching.push_back(gap == 0.);
-        to.normal_stress = following.normal_stress(
-          from.normal_stress,
-          end_pressure(to.contact_pressure, from, tau, touching));
+        to.normal_stress =
+          following.normal_stress(from.normal_stress,
+                                  contact.end_pressure(to.contact_pressure));
       }
     // Swapped in: to assign to a vector without a partition takes a message.
     NodalVector(prediction ? prediction->velocity : from.velocity)
@@ -308,31 +288,16 @@ namespace StickSlip
   template <int dim, int n_components>
   double
   RateStateStep<dim, n_components>::update_state(
-    SystemState<dim>       &to,
-    const SystemState<dim> &from,
-    const NodalVector      &w,
-    const double            tau,
-    const ContactOfStep    &contact) const
+    SystemState<dim>                     &to,
+    const SystemState<dim>               &from,
+    const NodalVector                    &w,
+    const double                          tau,
+    const StepContact<dim, n_components> &contact) const
   {
     std::vector<Tensor<1, dim - 1>> slip_rate = fault_nodes.tangential_jumps(w),
                                     slip_rate_before = from.slip_rate;
-    std::vector<bool> is_frozen;
-    // Open sides do not rub, however fast they pass each other.
-    if (unilateral.is_needed())
-      {
-        is_frozen.assign(slip_rate.size(), false);
-        for (unsigned int k = 0; k < slip_rate.size(); ++k)
-          if (unilateral.may_open(k))
-            {
-              if (!contact.touching[k])
-                {
-                  slip_rate[k] = Tensor<1, dim - 1>();
-                  is_frozen[k] = node_laws[k].is_frozen_open;
-                }
-              if (from.gap[k] > 0.)
-                slip_rate_before[k] = Tensor<1, dim - 1>();
-            }
-      }
+    const std::vector<bool> is_frozen =
+      contact.stop_rubbing(slip_rate_before, slip_rate);
     std::vector<double> change(to.alpha.size());
     for (unsigned int k = 0; k < to.alpha.size(); ++k)
       {
@@ -362,22 +327,21 @@ namespace StickSlip
   template <int dim, int n_components>
   double
   RateStateStep<dim, n_components>::follow_pressure(
-    SystemState<dim>       &to,
-    const SystemState<dim> &from,
-    const double            tau,
-    const NodalVector      &rhs,
-    NodalVector            &w,
-    const ContactOfStep    &contact,
-    StressIteration        &stress)
+    SystemState<dim>                     &to,
+    const NodalVector                    &rhs,
+    NodalVector                          &w,
+    const StepContact<dim, n_components> &contact,
+    StressIteration                      &stress)
   {
     if (!following.is_needed())
       return 0.;
     // The reaction is that of complete velocities.
     finish_rate(rhs, w);
-    to.contact_pressure              = contact_pressure(from, rhs, w, contact);
+    to.contact_pressure              = contact.pressure(rhs, w);
     const std::vector<double> before = to.normal_stress;
-    to.normal_stress                 = following.normal_stress(
-      before, end_pressure(to.contact_pressure, from, tau, contact.touching));
+    to.normal_stress =
+      following.normal_stress(before,
+                              contact.end_pressure(to.contact_pressure));
     if (!unilateral.is_needed())
       return fault_norm(fault_nodes,
                         node_laws,
@@ -386,7 +350,7 @@ namespace StickSlip
 
     // Changes that rounding makes alone are none: bodies that hardly anything
     // holds would follow them.
-    const std::vector<double> rounding = pressure_rounding(w, contact);
+    const std::vector<double> rounding = contact.pressure_rounding(w);
     for (unsigned int k = 0; k < before.size(); ++k)
       if (std::abs(to.normal_stress[k] - before[k]) <= rounding[k])
         to.normal_stress[k] = before[k];
@@ -396,68 +360,6 @@ namespace StickSlip
       relative_stress_change(fault_nodes, node_laws, before, to.normal_stress));
     to.normal_stress = stress.next(before, to.normal_stress, change);
     return change;
-  }
-
-
-
-  template <int dim, int n_components>
-  std::vector<double>
-  RateStateStep<dim, n_components>::pressure_rounding(
-    const NodalVector   &w,
-    const ContactOfStep &contact) const
-  {
-    constexpr double units = 8. * std::numeric_limits<double>::epsilon();
-
-    const BlockMatrix<n_components> &A     = problem.operators().matrix();
-    NodalVector                      terms = problem.make_vector();
-    update_ghosts(w);
-    for (const unsigned int k : fault_nodes.owned_contact())
-      {
-        constexpr unsigned int n   = n_components - 1;
-        const unsigned int     row = fault_nodes.node(k);
-        double                 sum = 0.;
-        for (unsigned int position = A.sparsity().row_start[row];
-             position < A.sparsity().row_start[row + 1];
-             ++position)
-          for (unsigned int d = 0; d < n_components; ++d)
-            sum += std::abs(
-              A.block(position)[n * n_components + d] *
-              w.begin()[A.sparsity().column[position] * n_components + d]);
-        terms.local_element(row * n_components + n) = sum;
-      }
-    std::vector<double> result =
-      contact_pressures(problem.jump_basis(),
-                        problem.hierarchy().finest().nodes,
-                        terms);
-    for (double &pressure : result)
-      pressure = units / contact.path.n_times * std::abs(pressure);
-    return result;
-  }
-
-
-
-  template <int dim, int n_components>
-  std::vector<double>
-  RateStateStep<dim, n_components>::end_pressure(
-    std::vector<double>      pressure,
-    const SystemState<dim>  &from,
-    const double             tau,
-    const std::vector<bool> &touching) const
-  {
-    if (!unilateral.is_needed())
-      return pressure;
-    for (unsigned int k = 0; k < pressure.size(); ++k)
-      // The impulse that a node lands with is no pressure that rubs.
-      if (time_parameters.inertia == Inertia::dynamic && touching[k] &&
-          from.gap[k] > 0.)
-        pressure[k] = from.contact_pressure[k];
-      else if (!unilateral.may_open(k) || (touching[k] && from.gap[k] == 0. &&
-                                           !unilateral.has_landed(from, k)))
-        pressure[k] = time_scheme->end_pressure(pressure[k],
-                                                from.contact_pressure[k],
-                                                tau,
-                                                from.last_step);
-    return pressure;
   }
 
 
@@ -506,18 +408,19 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
-  RateStateStep<dim, n_components>::complete(SystemState<dim>       &to,
-                                             const SystemState<dim> &from,
-                                             const double            tau,
-                                             const NodalVector      &rhs,
-                                             NodalVector            &w,
-                                             const ContactOfStep    &contact)
+  RateStateStep<dim, n_components>::complete(
+    SystemState<dim>                     &to,
+    const SystemState<dim>               &from,
+    const double                          tau,
+    const NodalVector                    &rhs,
+    NodalVector                          &w,
+    const StepContact<dim, n_components> &contact)
   {
     if (!following.is_needed())
       {
         finish_rate(rhs, w);
         if (!from.contact_pressure.empty())
-          to.contact_pressure = contact_pressure(from, rhs, w, contact);
+          to.contact_pressure = contact.pressure(rhs, w);
       }
     problem.to_nodal(to.velocity, w);
     to.slip_rate          = fault_nodes.tangential_jumps(w);
@@ -536,104 +439,12 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
-  RateStateStep<dim, n_components>::complete_contact(
-    StepResult<dim>        &result,
-    const SystemState<dim> &from,
-    const double            tau,
-    const NodalVector      &rhs,
-    NodalVector            &w,
-    const ContactOfStep    &contact)
-  {
-    SystemState<dim> &to = result.state;
-    if (time_parameters.inertia == Inertia::dynamic)
-      {
-        to.mean_traction.resize(fault_nodes.size());
-        for (unsigned int k = 0; k < fault_nodes.size(); ++k)
-          if (!unilateral.may_open(k) || contact.touching[k])
-            to.mean_traction[k] =
-              0.5 * (shear_traction(fault_nodes, node_laws, from, k) +
-                     shear_traction(fault_nodes, node_laws, to, k));
-      }
-    const std::vector<double> opening_rates = fault_nodes.opening_jumps(w);
-    std::vector<bool>         touching      = contact.touching;
-    unilateral.add_landed(touching, from, to.time, opening_rates, contact.path);
-    unilateral.complete(to, from, tau, opening_rates, touching, contact.path);
-    ContactEnergy &energy = result.contact_energy;
-    energy                = unilateral.energy(to, from, contact.path);
-    if (time_parameters.inertia != Inertia::dynamic)
-      return;
-
-    // Forces of the contact are the reaction less what was put into the right
-    // hand side for it.
-    NodalVector all_forces = w, prestress = problem.make_vector();
-    problem.operators().matrix().residual(all_forces, rhs, w);
-    unilateral.add_prestress(prestress, from, contact.path);
-    NodalVector reaction = problem.make_vector();
-    for (const unsigned int k : fault_nodes.owned_contact())
-      {
-        const unsigned int position =
-          fault_nodes.node(k) * n_components + dim - 1;
-        reaction.local_element(position) = prestress.local_element(position) -
-                                           all_forces.local_element(position);
-      }
-
-    const NodalVector before_impacts = w;
-    const double      lost = stop_impacts(problem, fault_nodes, touching, w);
-    energy.lost += lost;
-    if (lost > 0.)
-      {
-        result.velocity_before_impacts  = to.velocity;
-        result.slip_rate_before_impacts = to.slip_rate;
-      }
-    time_scheme->set_end_force(
-      to, from, tau, problem, before_impacts, w, reaction);
-    if (energy.lost > 0.)
-      {
-        NodalVector v = problem.make_vector(), product = v;
-        problem.to_jumps(v, from.velocity);
-        problem.term(SpatialProblem<dim, n_components>::mass).vmult(product, v);
-        energy.kinetic = 0.5 * (v * product);
-      }
-    problem.to_nodal(to.velocity, w);
-    to.slip_rate    = fault_nodes.tangential_jumps(w);
-    to.opening_rate = fault_nodes.opening_jumps(w);
-  }
-
-
-
-  template <int dim, int n_components>
-  void
   RateStateStep<dim, n_components>::finish_rate(const NodalVector &rhs,
                                                 NodalVector       &w)
   {
     // A whole solve has done so.
     if (!is_nested())
       solver->finish(rhs, w);
-  }
-
-
-
-  template <int dim, int n_components>
-  std::vector<double>
-  RateStateStep<dim, n_components>::contact_pressure(
-    const SystemState<dim> &from,
-    const NodalVector      &rhs,
-    const NodalVector      &w,
-    const ContactOfStep    &contact) const
-  {
-    NodalVector reaction = problem.make_vector();
-    problem.operators().matrix().residual(reaction, rhs, w);
-    reaction *= -1.;
-    const std::vector<double> pressures =
-      contact_pressures(problem.jump_basis(),
-                        problem.hierarchy().finest().nodes,
-                        reaction);
-    return unilateral.is_needed() ?
-             unilateral.contact_pressure(from,
-                                         pressures,
-                                         contact.touching,
-                                         contact.path) :
-             pressures;
   }
 
 

@@ -7,6 +7,7 @@
 #include <stickslip/faults/fault_functional.h>
 #include <stickslip/faults/following_stress.h>
 #include <stickslip/problem/unilateral_contact.h>
+#include <stickslip/time/step_contact.h>
 #include <stickslip/time/stress_iteration.h>
 #include <stickslip/time/time_parameters.h>
 #include <stickslip/time/time_scheme.h>
@@ -109,29 +110,13 @@ namespace StickSlip
     }
 
   private:
-    /** Contact as the iteration of one step needs to know it; empty
-     * where nothing may open. */
-    struct ContactOfStep
-    {
-      GapPath             path;
-      std::vector<double> bounds;
-      /** Of the last iterate. */
-      std::vector<bool> touching;
-    };
-
-    /** Add what the contact does to the @p rhs of the step, and set the bounds
-     * of friction. */
-    ContactOfStep
-    start_contact(const SystemState<dim> &from,
-                  const double            tau,
-                  NodalVector            &rhs);
-
     /** Time, state, normal stress, contact pressure and velocity with which the
      * iteration starts, the last one with what is prescribed at its sides. */
     SystemState<dim>
-    predict(const SystemState<dim> &from,
-            const double            tau,
-            const Prediction<dim>  *prediction) const;
+    predict(const SystemState<dim>               &from,
+            const double                          tau,
+            const Prediction<dim>                *prediction,
+            const StepContact<dim, n_components> &contact) const;
 
     /** The velocity in the jump basis, with the jumps that are known. */
     NodalVector
@@ -149,36 +134,21 @@ namespace StickSlip
     /** Set the state of @p to to that at the end of the step if the slip rates
      * are those of @p w; returns its change in the fault_norm(). */
     double
-    update_state(SystemState<dim>       &to,
-                 const SystemState<dim> &from,
-                 const NodalVector      &w,
-                 const double            tau,
-                 const ContactOfStep    &contact) const;
+    update_state(SystemState<dim>                     &to,
+                 const SystemState<dim>               &from,
+                 const NodalVector                    &w,
+                 const double                          tau,
+                 const StepContact<dim, n_components> &contact) const;
 
     /** Let contact pressure and normal stress of @p to follow, if they do;
      * returns its relative change in the fault_norm(). @p stress: what
      * the iteration has seen of it. */
     double
-    follow_pressure(SystemState<dim>       &to,
-                    const SystemState<dim> &from,
-                    const double            tau,
-                    const NodalVector      &rhs,
-                    NodalVector            &w,
-                    const ContactOfStep    &contact,
-                    StressIteration        &stress);
-
-    /** Changes of the contact pressure of a solution that rounding may make at
-     * each slave node, Pa: its terms are large in short steps, and cancel. */
-    std::vector<double>
-    pressure_rounding(const NodalVector &w, const ContactOfStep &contact) const;
-
-    /** The contact pressure at the end of the step from that of its rate
-     * problem, Pa; @p touching: nodes that may open and touch there. */
-    std::vector<double>
-    end_pressure(std::vector<double>      pressure,
-                 const SystemState<dim>  &from,
-                 const double             tau,
-                 const std::vector<bool> &touching) const;
+    follow_pressure(SystemState<dim>                     &to,
+                    const NodalVector                    &rhs,
+                    NodalVector                          &w,
+                    const StepContact<dim, n_components> &contact,
+                    StressIteration                      &stress);
 
     /** True if rate, state and normal stress have settled, of which the latter
      * two have changed by that much, and by @p change_before together in the
@@ -193,33 +163,16 @@ namespace StickSlip
     /** Everything of @p to that follows from the solution. Throws StepFailure
      * if it is not a number. */
     void
-    complete(SystemState<dim>       &to,
-             const SystemState<dim> &from,
-             const double            tau,
-             const NodalVector      &rhs,
-             NodalVector            &w,
-             const ContactOfStep    &contact);
-
-    /** Gaps, bonds and, after impacts, velocities of the state of @p result,
-     * and what contact takes; @p w: velocities of the rate problem. */
-    void
-    complete_contact(StepResult<dim>        &result,
-                     const SystemState<dim> &from,
-                     const double            tau,
-                     const NodalVector      &rhs,
-                     NodalVector            &w,
-                     const ContactOfStep    &contact);
+    complete(SystemState<dim>                     &to,
+             const SystemState<dim>               &from,
+             const double                          tau,
+             const NodalVector                    &rhs,
+             NodalVector                          &w,
+             const StepContact<dim, n_components> &contact);
 
     /** Complete the velocities that single iterations leave alone. */
     void
     finish_rate(const NodalVector &rhs, NodalVector &w);
-
-    /** The contact pressure of a solution of the rate problem, Pa. */
-    std::vector<double>
-    contact_pressure(const SystemState<dim> &from,
-                     const NodalVector      &rhs,
-                     const NodalVector      &w,
-                     const ContactOfStep    &contact) const;
 
     bool
     is_nested() const
