@@ -158,7 +158,7 @@ def check_signals():
     with Folder() as folder:
         status, _, _ = folder.run(*scene)
         whole = folder.table()
-        for number in (signal.SIGHUP, signal.SIGTERM, signal.SIGINT):
+        for number in (signal.SIGHUP, signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
             folder.output.rename(folder.path / number.name)
             process = folder.start(*scene)
             folder.wait_for_rows(10)

@@ -81,10 +81,12 @@ namespace StickSlip::Tests
 
 
 
-  /** Start a command that writes to output/scene, interrupt it when the run is
-   * well under way, and wait for its end. */
+  /** Start a command that writes to output/scene, interrupt it by a signal when
+   * the run is well under way, and wait for its end. */
   inline Outcome
-  run_and_interrupt(const TemporaryFolder &folder, const std::string &command)
+  run_and_interrupt(const TemporaryFolder &folder,
+                    const std::string     &command,
+                    const std::string     &signal = "INT")
   {
     return run_command(
       folder,
@@ -96,7 +98,9 @@ namespace StickSlip::Tests
         "  [ \"$rows\" -gt 30 ] && break\n"
         "  sleep 0.1\n"
         "done\n"
-        "kill -INT $pid\n"
+        "kill -" +
+        signal +
+        " $pid\n"
         "wait $pid");
   }
 

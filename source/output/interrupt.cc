@@ -51,7 +51,7 @@ namespace StickSlip
   Interrupt::Interrupt()
   {
     signal_received = 0;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
       previous.emplace_back(signal, std::signal(signal, note_signal));
     previous.emplace_back(SIGPIPE, std::signal(SIGPIPE, note_closed_pipe));
     // Programs that nohup has started stay as they are.

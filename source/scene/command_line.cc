@@ -108,8 +108,9 @@ Without a file:
                           versions of the libraries
   --parameter-reference   print all entries of parameter files, in Markdown
 
-An interrupt (Ctrl-C), SIGTERM or SIGHUP ends a run after the current step with
-complete files. Exit status: 0 the end time was reached, 130 the run was
+An interrupt (Ctrl-C), SIGTERM, SIGHUP or SIGUSR1 ends a run after the current step
+with complete files; that to mpirun should be SIGUSR1, since it may kill a run half a
+second after others. Exit status: 0 the end time was reached, 130 the run was
 interrupted, 1 there was an error, of which one sentence is printed.
 
 Entries are in doc/parameters.md, the files of a run in doc/output.md.

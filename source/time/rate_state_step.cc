@@ -387,18 +387,17 @@ namespace StickSlip
       {
         const std::string within = " did not settle within " +
                                    std::to_string(n_iterations) + " iterations";
-        if (unilateral.is_needed() && of_stress >= of_state &&
-            of_stress > time_parameters.rate_state_tolerance)
-          throw StepFailure(
-            "friction and the normal stress of the contact" + within +
-            ", and may have no solution that does where a body leans from the "
-            "normal of a fault by less than the angle of friction");
-        if (unilateral.is_needed() &&
-            remaining <= time_parameters.rate_state_tolerance)
+        if (unilateral.is_needed() && !rate.converged &&
+            change <= time_parameters.rate_state_tolerance)
           throw StepFailure(
             "velocities" + within +
             ", which may need more 'TNNMG/Cycles per correction' for a body "
             "that hardly anything but friction holds");
+        if (unilateral.is_needed() && of_stress >= of_state)
+          throw StepFailure(
+            "friction and the normal stress of the contact" + within +
+            ", and may have no solution that does where a body leans from the "
+            "normal of a fault by less than the angle of friction");
         throw StepFailure("rate and state" + within);
       }
     return false;

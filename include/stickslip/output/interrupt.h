@@ -12,13 +12,13 @@
 namespace StickSlip
 {
   /**
-   * While an object of this class lives, the signals SIGINT (Ctrl-C), SIGTERM
-   * and SIGHUP (a terminal that is closed) do not end the program but are
-   * noted, so that the run can stop after the current step with all files
-   * complete; so is SIGPIPE, where nobody reads the progress any more. A second
-   * signal some seconds later ends the program at once; one right after the
-   * first is taken for the same, since mpirun passes on what a terminal sends
-   * to all by itself.
+   * While an object of this class lives, the signals SIGINT (Ctrl-C), SIGTERM,
+   * SIGHUP (a terminal that is closed) and SIGUSR1 (which mpirun passes on, and
+   * does nothing else) do not end the program but are noted, so that the run
+   * can stop after the current step with all files complete; so is SIGPIPE,
+   * where nobody reads the progress any more. A second signal some seconds
+   * later ends the program at once; one right after the first is taken for the
+   * same, since mpirun passes on what a terminal sends to all by itself.
    */
   class Interrupt
   {
