@@ -74,13 +74,21 @@ namespace StickSlip
             target[Kernels::sweep_position<n_components>(c, d)] =
               block[c * n_components + d];
       };
+    const unsigned int begin = sparsity->row_start[i],
+                       end   = sparsity->row_start[i + 1];
+    if (sorted_columns.empty())
+      {
+        for (unsigned int k = 0; k < lower.n_entries(i); ++k)
+          copy(lower, k, begin + k);
+        for (unsigned int k = 0; k < upper.n_entries(i); ++k)
+          copy(upper, k, first_above[i] + k);
+        return;
+      }
     // Columns of each part are in the order of those of the row.
-    const unsigned int *of_lower = columns().data() + sparsity->row_start[i];
-    const unsigned int *of_upper = columns().data() + first_above[i];
+    const unsigned int *of_lower = sorted_columns.data() + begin;
+    const unsigned int *of_upper = sorted_columns.data() + first_above[i];
     unsigned int        n_below = 0, n_above = 0;
-    for (unsigned int k = sparsity->row_start[i];
-         k < sparsity->row_start[i + 1];
-         ++k)
+    for (unsigned int k = begin; k < end; ++k)
       {
         const unsigned int j = sparsity->column[k];
         if (n_below < lower.n_entries(i) && of_lower[n_below] == j)
