@@ -23,7 +23,8 @@ end
 
 
 
-  // The end of a run that hangs; no test below takes as long.
+  // The end of a run that hangs; no test below takes as long. It passes on the
+  // signal that it sends itself.
   const std::string time_limit = "timeout --foreground -s USR1 -k 5 120 ";
 
 
