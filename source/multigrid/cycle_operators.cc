@@ -157,12 +157,7 @@ namespace StickSlip
       {
         Level             &level = levels[l];
         const unsigned int n     = level.matrix.n_rows();
-        std::vector<
-          std::pair<double, const BlockMatrix<n_components, Number> *>>
-          terms;
-        for (unsigned int t = 0; t < level.terms.size(); ++t)
-          terms.emplace_back(A.coefficients()[t], &level.terms[t]);
-        level.matrix.combine(terms, 0, n);
+        combine_coarse(l, A.coefficients(), level.matrix);
         level.active = descriptions[l].fixed;
         if (!is_shared)
           level.formed.assign(n, false);
@@ -183,6 +178,22 @@ namespace StickSlip
                             A.matrix().diagonal_block(i),
                             descriptions.back().fixed);
       }
+  }
+
+
+
+  template <int n_components, typename Number>
+  void
+  CycleOperators<n_components, Number>::combine_coarse(
+    const unsigned int                 l,
+    const std::vector<double>         &coefficients,
+    BlockMatrix<n_components, Number> &sum) const
+  {
+    std::vector<std::pair<double, const BlockMatrix<n_components, Number> *>>
+      terms;
+    for (unsigned int t = 0; t < levels[l].terms.size(); ++t)
+      terms.emplace_back(coefficients[t], &levels[l].terms[t]);
+    sum.combine(terms, 0, sum.n_rows());
   }
 
 

@@ -267,6 +267,20 @@ namespace StickSlip
 
 
   template <int n_components>
+  BlockMatrix<n_components>
+  LevelHierarchy<n_components>::operator_on_level(const unsigned int l) const
+  {
+    AssertIndexRange(l, levels.size());
+    if (l + 1 == levels.size())
+      return A.matrix();
+    Assert(cycle && version == A.version(),
+           ExcMessage("take_over_operator() comes first."));
+    return cycle->combine_coarse(l, coefficients);
+  }
+
+
+
+  template <int n_components>
   void
   LevelHierarchy<n_components>::set_coarse_update_threshold(
     const double threshold)

@@ -53,6 +53,10 @@ namespace StickSlip
       BlockMatrix<n_components>
       coarse_matrix(const unsigned int l) const override;
 
+      BlockMatrix<n_components>
+      combine_coarse(const unsigned int         l,
+                     const std::vector<double> &coefficients) const override;
+
       void
       set_smoothing_sweeps(const unsigned int sweeps) override;
 
@@ -92,6 +96,19 @@ namespace StickSlip
       NodalVector  coarsest_solution, coarsest_rhs;
       unsigned int sweeps = 1;
     };
+
+
+
+    template <int n_components, typename Number>
+    BlockMatrix<n_components>
+    in_double_precision(const BlockMatrix<n_components, Number> &matrix)
+    {
+      BlockMatrix<n_components> result(matrix.shared_sparsity());
+      std::copy(matrix.values().begin(),
+                matrix.values().end(),
+                result.values().begin());
+      return result;
+    }
 
 
 
@@ -352,13 +369,21 @@ namespace StickSlip
     BlockMatrix<n_components>
     VCycleIn<n_components, Number>::coarse_matrix(const unsigned int l) const
     {
-      const BlockMatrix<n_components, Number> &matrix =
-        operators.coarse_matrix(l);
-      BlockMatrix<n_components> result(matrix.shared_sparsity());
-      std::copy(matrix.values().begin(),
-                matrix.values().end(),
-                result.values().begin());
-      return result;
+      return in_double_precision(operators.coarse_matrix(l));
+    }
+
+
+
+    template <int n_components, typename Number>
+    BlockMatrix<n_components>
+    VCycleIn<n_components, Number>::combine_coarse(
+      const unsigned int         l,
+      const std::vector<double> &coefficients) const
+    {
+      BlockMatrix<n_components, Number> sum(
+        operators.coarse_matrix(l).shared_sparsity());
+      operators.combine_coarse(l, coefficients, sum);
+      return in_double_precision(sum);
     }
 
 

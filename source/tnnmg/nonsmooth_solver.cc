@@ -35,7 +35,7 @@ namespace StickSlip
   {
     SolveSummary summary;
     project(functional, functional.nodes(), w);
-    start(b, w);
+    begin(functional, b, w);
     while (!summary.converged &&
            summary.iterations.size() < parameters.max_iterations)
       {
@@ -48,6 +48,18 @@ namespace StickSlip
       }
     finish(b, w);
     return summary;
+  }
+
+
+
+  template <int n_components>
+  void
+  NonsmoothSolver<n_components>::begin(
+    const NonsmoothFunctional<n_components> &,
+    const NodalVector &b,
+    NodalVector       &w)
+  {
+    start(b, w);
   }
 
 

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/tnnmg/functional_sums.h>
+#include <stickslip/tnnmg/nested_start.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** True if all components are zero that are not fixed. Collective. */
+    bool
+    is_zero(const NodalVector &w, const Unknowns &unknowns)
+    {
+      NodalVector free = w;
+      unknowns.fixed.apply(free);
+      return free.linfty_norm() == 0.;
+    }
+  } // namespace
+
+
+
   template <int n_components>
   TNNMGSolver<n_components>::TNNMGSolver(
     LevelHierarchy<n_components> &hierarchy,
@@ -12,7 +28,9 @@ namespace StickSlip
     : TNNMGSolver(hierarchy.operators(),
                   parameters,
                   make_linear_correction(hierarchy, parameters))
-  {}
+  {
+    this->hierarchy = &hierarchy;
+  }
 
 
 
@@ -36,6 +54,27 @@ namespace StickSlip
     operators.matrix().residual(this->residual, b, w);
     linear_correction->start();
     this->restart();
+  }
+
+
+
+  template <int n_components>
+  void
+  TNNMGSolver<n_components>::begin(
+    const NonsmoothFunctional<n_components> &functional,
+    const NodalVector                       &b,
+    NodalVector                             &w)
+  {
+    start(b, w);
+    if (!hierarchy || !this->parameters.nonlinear_smoothing ||
+        this->parameters.linear_correction != LinearCorrectionType::multigrid ||
+        !is_zero(w, this->unknowns))
+      return;
+    hierarchy->take_over_operator();
+    add_coarse_minimiser(
+      *hierarchy, functional, this->parameters, this->residual, w);
+    project(functional, this->unknowns.nonsmooth_nodes, w);
+    start(b, w);
   }
 
 

@@ -74,6 +74,12 @@ namespace StickSlip
     const BlockMatrix<n_components, Number> &
     coarse_matrix(const unsigned int l) const;
 
+    /** The sum of the terms on a coarse level. */
+    void
+    combine_coarse(const unsigned int                 l,
+                   const std::vector<double>         &coefficients,
+                   BlockMatrix<n_components, Number> &sum) const;
+
     /** The components that take part on a coarse level. */
     const NodeMask &
     active(const unsigned int l) const;

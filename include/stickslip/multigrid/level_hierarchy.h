@@ -119,6 +119,11 @@ namespace StickSlip
     BlockMatrix<n_components>
     level_matrix(const unsigned int l) const;
 
+    /** The operator A on level @p l, without H and truncation.
+     * take_over_operator() comes first. */
+    BlockMatrix<n_components>
+    operator_on_level(const unsigned int l) const;
+
     /** Number of sweeps before and after the coarse grid correction. */
     void
     set_smoothing_sweeps(const unsigned int sweeps);

@@ -81,6 +81,12 @@ namespace StickSlip
     virtual BlockMatrix<n_components>
     coarse_matrix(const unsigned int l) const = 0;
 
+    /** The sum of the terms on a coarse level, without a nonsmooth term and
+     * truncation. */
+    virtual BlockMatrix<n_components>
+    combine_coarse(const unsigned int         l,
+                   const std::vector<double> &coefficients) const = 0;
+
     /** Number of sweeps before and after the coarse grid correction. */
     virtual void
     set_smoothing_sweeps(const unsigned int sweeps) = 0;

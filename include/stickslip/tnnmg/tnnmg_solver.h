@@ -40,6 +40,11 @@ namespace StickSlip
             const NodalVector                       &b,
             NodalVector                             &w) override;
 
+    void
+    begin(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &b,
+          NodalVector                             &w) override;
+
     /** Nothing is left to do. */
     void
     finish(const NodalVector &b, NodalVector &w) override;
@@ -79,7 +84,9 @@ namespace StickSlip
             const double norm,
             const bool   is_outdated) override;
 
-    const OperatorSum<n_components>                &operators;
+    const OperatorSum<n_components> &operators;
+    /** Null with a correction of one's own. */
+    LevelHierarchy<n_components>                   *hierarchy = nullptr;
     NonlinearGaussSeidel<n_components>              smoother;
     std::unique_ptr<LinearCorrection<n_components>> linear_correction;
   };
