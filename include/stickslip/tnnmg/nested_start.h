@@ -19,7 +19,8 @@ namespace StickSlip
    *
    * Its term at a coarse node is that of the fine node in the same place, in
    * the axes of the nodes, as many times as it stands for fine ones: close to
-   * phi where neighbouring terms are alike, and no worse than zero elsewhere.
+   * phi where neighbouring terms are alike, and a place to start from
+   * elsewhere.
    *
    * The level is the finest one with at most 1/32 of the nodes that is not the
    * coarsest; a finer one, up to a twelfth, where there is none, or where

@@ -77,13 +77,6 @@ namespace StickSlip
             const NodalVector                       &b,
             NodalVector                             &w) = 0;
 
-    /** Announce them for solve(), which may begin from another @p w. By default
-     * it does not. */
-    virtual void
-    begin(const NonsmoothFunctional<n_components> &functional,
-          const NodalVector                       &b,
-          NodalVector                             &w);
-
     /** Complete the components that the iterations since start() left alone. */
     virtual void
     finish(const NodalVector &b, NodalVector &w) = 0;
@@ -116,6 +109,13 @@ namespace StickSlip
     }
 
   protected:
+    /** Announce the iterations of solve(), which may begin from another @p w.
+     * By default it does not. */
+    virtual void
+    begin(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &b,
+          NodalVector                             &w);
+
     /** The four steps, with vectors of the unknowns that iterations change,
      * from
      * @p w with its @p residual on. */

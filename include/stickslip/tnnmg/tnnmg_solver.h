@@ -40,11 +40,6 @@ namespace StickSlip
             const NodalVector                       &b,
             NodalVector                             &w) override;
 
-    void
-    begin(const NonsmoothFunctional<n_components> &functional,
-          const NodalVector                       &b,
-          NodalVector                             &w) override;
-
     /** Nothing is left to do. */
     void
     finish(const NodalVector &b, NodalVector &w) override;
@@ -62,6 +57,12 @@ namespace StickSlip
     }
 
   private:
+    /** From zero on a coarse level, see add_coarse_minimiser(). */
+    void
+    begin(const NonsmoothFunctional<n_components> &functional,
+          const NodalVector                       &b,
+          NodalVector                             &w) override;
+
     void
     sweep(const NonsmoothFunctional<n_components> &functional,
           const bool                               is_everywhere,
