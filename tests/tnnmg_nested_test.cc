@@ -75,8 +75,11 @@ namespace
       NodalVector        w = slider.start(), residual = w;
       hierarchy.operators().matrix().residual(residual, rhs, w);
       hierarchy.take_over_operator();
-      add_coarse_minimiser(
+      const bool is_done = add_coarse_minimiser(
         hierarchy, *friction.functional, TNNMGParameters(), residual, w);
+      NodalVector change = w;
+      change -= slider.start();
+      EXPECT_EQ(is_done, change.linfty_norm() > 0.);
       return w;
     }
 

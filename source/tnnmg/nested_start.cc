@@ -137,7 +137,7 @@ namespace StickSlip
 
 
   template <int n_components>
-  void
+  bool
   add_coarse_minimiser(const LevelHierarchy<n_components>      &hierarchy,
                        const NonsmoothFunctional<n_components> &functional,
                        const TNNMGParameters                   &parameters,
@@ -148,7 +148,7 @@ namespace StickSlip
     const auto [level, sample]                   = find_start_level(hierarchy);
     const LevelDescription<n_components> &coarse = hierarchy.description(level);
     if (coarse.nodes.n_global() > hierarchy.finest().nodes.n_global() / 12)
-      return;
+      return false;
 
     // From a level to the next coarser one the trace of a mass is doubled in
     // all dimensions, that of a stiffness halved.
@@ -159,7 +159,7 @@ namespace StickSlip
                                 hierarchy.operator_on_level(level + 1))}},
               coarse.nodes.communicator());
     if (trace_here > 0.6 * trace_above || trace_above == 0.)
-      return;
+      return false;
 
     std::vector<LevelDescription<n_components>> levels;
     for (unsigned int l = 0; l <= level; ++l)
@@ -194,12 +194,13 @@ namespace StickSlip
         values[l], values[l - 1], n_components);
     hierarchy.finest().fixed.apply(values[finest]);
     w += values[finest];
+    return true;
   }
 
 
 
 #define STICKSLIP_INSTANTIATE(n)                                     \
-  template void add_coarse_minimiser(const LevelHierarchy<n> &,      \
+  template bool add_coarse_minimiser(const LevelHierarchy<n> &,      \
                                      const NonsmoothFunctional<n> &, \
                                      const TNNMGParameters &,        \
                                      const NodalVector &,            \

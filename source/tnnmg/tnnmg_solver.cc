@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/tnnmg/functional_sums.h>
 #include <stickslip/tnnmg/nested_start.h>
 #include <stickslip/tnnmg/tnnmg_solver.h>
@@ -10,12 +12,19 @@ namespace StickSlip
   namespace
   {
     /** True if all components are zero that are not fixed. Collective. */
+    template <int n_components>
     bool
     is_zero(const NodalVector &w, const Unknowns &unknowns)
     {
-      NodalVector free = w;
-      unknowns.fixed.apply(free);
-      return free.linfty_norm() == 0.;
+      bool is_zero_here = true;
+      for (unsigned int i = 0; is_zero_here && i < unknowns.nodes.n_owned();
+           ++i)
+        for (unsigned int c = 0; c < n_components; ++c)
+          if (unknowns.fixed.is_active(i, c) &&
+              w.local_element(i * n_components + c) != 0.)
+            is_zero_here = false;
+      return Utilities::MPI::min(int(is_zero_here), w.get_mpi_communicator()) >
+             0;
     }
   } // namespace
 
@@ -68,13 +77,15 @@ namespace StickSlip
     start(b, w);
     if (!hierarchy || !this->parameters.nonlinear_smoothing ||
         this->parameters.linear_correction != LinearCorrectionType::multigrid ||
-        !is_zero(w, this->unknowns))
+        !is_zero<n_components>(w, this->unknowns))
       return;
     hierarchy->take_over_operator();
-    add_coarse_minimiser(
-      *hierarchy, functional, this->parameters, this->residual, w);
-    project(functional, this->unknowns.nonsmooth_nodes, w);
-    start(b, w);
+    if (add_coarse_minimiser(
+          *hierarchy, functional, this->parameters, this->residual, w))
+      {
+        project(functional, this->unknowns.nonsmooth_nodes, w);
+        start(b, w);
+      }
   }
 
 

@@ -27,12 +27,13 @@ namespace StickSlip
    * processes own no fine nodes in the places of their coarse ones. Nothing is
    * done without such a level, or if it does not see the solution: if the
    * operator at its nonsmooth nodes is that of a mass, and not of stiffness.
+   * Returns whether anything has been done.
    *
    * The operator has been taken over; nothing is kept from one call to the
    * next. Collective. Throws SingularMatrix.
    */
   template <int n_components>
-  void
+  bool
   add_coarse_minimiser(const LevelHierarchy<n_components>      &hierarchy,
                        const NonsmoothFunctional<n_components> &functional,
                        const TNNMGParameters                   &parameters,
