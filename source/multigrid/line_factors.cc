@@ -173,10 +173,7 @@ namespace StickSlip
                                                   const NodeMask    &active)
   {
     lines[line[node]].is_current = false;
-    components[node]             = 0;
-    for (unsigned int c = 0; c < n_components; ++c)
-      if (active.is_active(node, c))
-        components[node] |= 1u << c;
+    components[node]             = active.active_components(node);
     write_block(block, diagonal.data() + std::size_t(node) * block_size);
   }
 

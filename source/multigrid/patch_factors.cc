@@ -114,15 +114,11 @@ namespace StickSlip
     const Tensor<2, n_components> &block,
     const NodeMask                &active)
   {
-    components[i] = 0;
+    components[i] = active.active_components(i);
     for (unsigned int c = 0; c < n_components; ++c)
-      {
-        if (active.is_active(i, c))
-          components[i] |= 1u << c;
-        for (unsigned int d = 0; d < n_components; ++d)
-          diagonal[std::size_t(i) * block_size +
-                   Kernels::sweep_position<n_components>(c, d)] = block[c][d];
-      }
+      for (unsigned int d = 0; d < n_components; ++d)
+        diagonal[std::size_t(i) * block_size +
+                 Kernels::sweep_position<n_components>(c, d)] = block[c][d];
     touch(i);
   }
 

@@ -37,9 +37,7 @@ namespace StickSlip
     : TNNMGSolver(hierarchy.operators(),
                   parameters,
                   make_linear_correction(hierarchy, parameters))
-  {
-    this->hierarchy = &hierarchy;
-  }
+  {}
 
 
 
@@ -75,8 +73,9 @@ namespace StickSlip
     NodalVector                             &w)
   {
     start(b, w);
+    LevelHierarchy<n_components> *hierarchy =
+      linear_correction->hierarchy_to_begin_on();
     if (!hierarchy || !this->parameters.nonlinear_smoothing ||
-        this->parameters.linear_correction != LinearCorrectionType::multigrid ||
         !is_zero<n_components>(w, this->unknowns))
       return;
     hierarchy->take_over_operator();

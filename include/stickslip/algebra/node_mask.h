@@ -38,6 +38,13 @@ namespace StickSlip
       return (active[node] >> component) & 1u;
     }
 
+    /** The components of the node that take part, one bit for each. */
+    std::uint8_t
+    active_components(const unsigned int node) const
+    {
+      return active[node];
+    }
+
     /** Return whether all components of the node take part. */
     bool
     is_fully_active(const unsigned int node) const

@@ -70,6 +70,14 @@ namespace StickSlip
     virtual void
     recall(const KeptLinearisation<n_components> &)
     {}
+
+    /** The hierarchy on whose coarse levels a problem may begin, see
+     * add_coarse_minimiser(); null without one. */
+    virtual LevelHierarchy<n_components> *
+    hierarchy_to_begin_on()
+    {
+      return nullptr;
+    }
   };
 
   /**

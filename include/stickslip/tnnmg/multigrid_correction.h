@@ -41,6 +41,12 @@ namespace StickSlip
     void
     recall(const KeptLinearisation<n_components> &kept) override;
 
+    LevelHierarchy<n_components> *
+    hierarchy_to_begin_on() override
+    {
+      return &hierarchy;
+    }
+
   private:
     LevelHierarchy<n_components> &hierarchy;
     const TNNMGParameters        &parameters;

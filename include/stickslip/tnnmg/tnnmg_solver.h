@@ -85,9 +85,7 @@ namespace StickSlip
             const double norm,
             const bool   is_outdated) override;
 
-    const OperatorSum<n_components> &operators;
-    /** Null with a correction of one's own. */
-    LevelHierarchy<n_components>                   *hierarchy = nullptr;
+    const OperatorSum<n_components>                &operators;
     NonlinearGaussSeidel<n_components>              smoother;
     std::unique_ptr<LinearCorrection<n_components>> linear_correction;
   };
