@@ -135,6 +135,31 @@ namespace StickSlip
 
 
 
+    template <int dim>
+    bool
+    is_any_refined(const Bodies<dim> &bodies)
+    {
+      return std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
+        return body->can_be_coarsened();
+      });
+    }
+
+
+
+    /** True if there is a coarser level: if a body is refined, or if all of
+     * them have coarser cells than their coarse ones. */
+    template <int dim>
+    bool
+    can_be_coarsened(const Bodies<dim> &bodies)
+    {
+      return is_any_refined<dim>(bodies) ||
+             std::all_of(bodies.begin(), bodies.end(), [](const auto &body) {
+               return body->has_coarser_cells();
+             });
+    }
+
+
+
     /**
      * The meshes of the next coarser level. Those that have much larger faces
      * than a neighbour across a fault are kept until the neighbour is as coarse
@@ -165,11 +190,40 @@ namespace StickSlip
           }
         return false;
       };
-      Bodies<dim> coarser = bodies;
+      // Coarser cells are for all bodies, whose sides shall go on to fit.
+      const bool  is_refined = is_any_refined<dim>(bodies);
+      Bodies<dim> coarser    = bodies;
       for (unsigned int b = 0; b < bodies.size(); ++b)
-        if (bodies[b]->can_be_coarsened() && !can_wait(b))
+        if (!is_refined || (bodies[b]->can_be_coarsened() && !can_wait(b)))
           coarser[b] = BodyMesh<dim>::coarsened(*bodies[b]);
       return coarser;
+    }
+
+
+
+    /** Rows of the prolongation to a level that are needed: for the nodes that
+     * cells or the prolongation to the next finer level, the last of those that
+     * there are, or the contact may couple with owned ones. */
+    template <int dim>
+    IndexSet
+    wanted_rows(const MeshLevel<dim>                 &level,
+                const FaultTopology                  &topology,
+                const std::vector<NodalProlongation> &prolongations)
+    {
+      IndexSet wanted = level.nodes.owned();
+      wanted.add_indices(level.nodes.nodes()->ghost_indices());
+      wanted.add_indices(level.strip());
+      // Every process has the hanging nodes of all faults.
+      for (unsigned int f = 0; f < topology.faults().size(); ++f)
+        for (const unsigned int side : {0, 1})
+          {
+            const auto &nodes = level.surface(f, side).nodes;
+            wanted.add_indices(nodes.begin(), nodes.end());
+          }
+      if (!prolongations.empty())
+        wanted.add_indices(prolongations.back().columns(level.n_nodes()));
+      wanted.compress();
+      return wanted;
     }
 
 
@@ -286,12 +340,12 @@ namespace StickSlip
     const unsigned int n_processes =
       Utilities::MPI::n_mpi_processes(communicator);
 
-    const DividedMeshes<dim> divided(coarse_bodies,
-                                     topology,
-                                     n_processes == 1 ?
-                                       std::numeric_limits<std::size_t>::max() :
-                                       std::size_t(min_nodes_per_process) *
-                                         std::max(n_processes, least_units));
+    DividedMeshes<dim> divided(coarse_bodies,
+                               topology,
+                               n_processes == 1 ?
+                                 std::numeric_limits<std::size_t>::max() :
+                                 std::size_t(min_nodes_per_process) *
+                                   std::max(n_processes, least_units));
     std::vector<std::shared_ptr<const std::vector<unsigned int>>>
       owners_of_cells;
     for (auto &owners : partition_cells<dim>(
@@ -299,60 +353,52 @@ namespace StickSlip
       owners_of_cells.push_back(
         std::make_shared<const std::vector<unsigned int>>(std::move(owners)));
 
-    // All meshes, the finest first.
-    std::vector<Bodies<dim>> meshes = {divided.meshes};
+    Bodies<dim> meshes = divided.meshes;
     carry_out_agreed(communicator, [&]() {
       for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
         if (divided.depths[i] > 0)
-          meshes[0][i] =
+          meshes[i] =
             std::make_shared<BodyMesh<dim>>(divided.meshes[i],
                                             owners_of_cells[i],
                                             divided.depths[i],
                                             Utilities::MPI::this_mpi_process(
                                               communicator));
     });
-    for (Bodies<dim> coarser = coarsened_once(meshes.back(), topology);
-         coarser != meshes.back();
-         coarser = coarsened_once(meshes.back(), topology))
-      meshes.push_back(coarser);
-    // Coarser cells are for all bodies, whose sides shall go on to fit.
-    while (
-      std::all_of(meshes.back().begin(),
-                  meshes.back().end(),
-                  [](const auto &body) { return body->has_coarser_cells(); }))
-      {
-        meshes.push_back(meshes.back());
-        for (auto &body : meshes.back())
-          body = BodyMesh<dim>::coarsened(*body);
-      }
 
+    // Levels from the finest down. A process has two of them as a whole at a
+    // time.
     std::vector<std::vector<unsigned int>> owners_of_vertices(
       coarse_bodies.size());
-    for (unsigned int l = 0; l < meshes.size(); ++l)
+    Bodies<dim> finer;
+    while (true)
       {
-        unsigned int n_sharing = n_processes;
-        if (l + 1 == meshes.size())
+        const bool   is_coarsest = !can_be_coarsened<dim>(meshes);
+        unsigned int n_sharing   = n_processes;
+        if (is_coarsest)
           n_sharing = 1;
-        else if (l > 0)
+        else if (!levels.empty())
           n_sharing = std::clamp<std::size_t>(
-            n_nodes<dim>(meshes[l]) / min_nodes_per_process, 1, n_processes);
+            n_nodes<dim>(meshes) / min_nodes_per_process, 1, n_processes);
         std::vector<NodeNumbers> numbers;
         for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
           {
-            const BodyMesh<dim> &mesh = *meshes[l][i];
+            const BodyMesh<dim> &mesh = *meshes[i];
             if (const NodeNumbers *in_units = mesh.numbers_in_units())
               {
                 AssertThrow(n_sharing == n_processes, ExcInternalError());
                 numbers.push_back(*in_units);
                 continue;
               }
-            if (meshes[l][i] == divided.meshes[i])
-              owners_of_vertices[i] =
-                vertex_owners<dim>(mesh, *owners_of_cells[i]);
+            if (meshes[i] == divided.meshes[i])
+              {
+                owners_of_vertices[i] =
+                  vertex_owners<dim>(mesh, *owners_of_cells[i]);
+                divided.meshes[i].reset();
+              }
             else
               owners_of_vertices[i] =
                 inherited_vertex_owners<dim>(mesh,
-                                             *meshes[l - 1][i],
+                                             *finer[i],
                                              owners_of_vertices[i]);
             std::vector<unsigned int> owners =
               node_owners<dim>(mesh, owners_of_vertices[i]);
@@ -361,39 +407,36 @@ namespace StickSlip
             numbers.push_back(number_whole_mesh(owners, n_processes));
           }
         levels.emplace_back(
-          meshes[l], topology, numbers, communicator, n_components);
-        if (l == 0)
+          meshes, topology, numbers, communicator, n_components);
+        if (levels.size() == 1)
           check_plane_sides(levels.front(), topology);
-      }
-
-    // Rows of the prolongations that are needed: for the nodes of a level that
-    // cells or prolongations or the contact may couple with owned ones.
-    for (unsigned int l = 0; l + 1 < levels.size(); ++l)
-      {
-        IndexSet wanted = levels[l].nodes.owned();
-        wanted.add_indices(levels[l].nodes.nodes()->ghost_indices());
-        wanted.add_indices(levels[l].strip());
-        // Every process has the hanging nodes of all faults.
-        for (unsigned int f = 0; f < topology.faults().size(); ++f)
-          for (const unsigned int side : {0, 1})
-            {
-              const auto &nodes = levels[l].surface(f, side).nodes;
-              wanted.add_indices(nodes.begin(), nodes.end());
-            }
-        if (l > 0)
-          wanted.add_indices(prolongations.back().columns(levels[l].n_nodes()));
-        // Coarser cells that are not nested couple nodes farther away; they are
-        // few.
-        if (!meshes[l + 1].front()->is_nested_with(*meshes[l].front()))
-          wanted.add_range(0, levels[l].n_nodes());
-        wanted.compress();
-        prolongations.emplace_back(levels[l + 1], levels[l], wanted);
+        else
+          {
+            MeshLevel<dim> &fine = levels[levels.size() - 2];
+            // Coarser cells that are not nested couple nodes farther away; they
+            // are few.
+            prolongations.emplace_back(
+              levels.back(),
+              fine,
+              meshes.front()->is_nested_with(*finer.front()) ?
+                wanted_rows(fine, topology, prolongations) :
+                complete_index_set(fine.n_nodes()));
+            finer.clear();
+            if (n_processes > 1)
+              {
+                fine.keep_own_cells();
+                give_back_freed_memory();
+              }
+          }
+        if (is_coarsest)
+          break;
+        finer  = std::move(meshes);
+        meshes = coarsened_once(finer, topology);
       }
     if (n_processes > 1)
       {
-        for (MeshLevel<dim> &level : levels)
-          level.keep_own_cells();
         meshes.clear();
+        levels.back().keep_own_cells();
         give_back_freed_memory();
       }
     give_back_large_blocks(sizeof(double) * n_components *
