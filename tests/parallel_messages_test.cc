@@ -32,10 +32,11 @@ using namespace StickSlip::Tests;
 
 
 
-// One of the smoother and the linearisation, one of each step of conjugate
-// gradients, one of the line search; others for further slopes of that, for the
-// norms after a shorter step, and where the coarsest matrix changes.
-TEST(ParallelMessages, FourSumsInAnIteration)
+// One of the smoother and the linearisation, one of the line search, and one of
+// each step of conjugate gradients; others for further slopes of the line
+// search, for the norms after a shorter step, and where the coarsest matrix
+// changes.
+TEST(ParallelMessages, TwoSumsInAnIterationAndOneInACycle)
 {
   if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
     GTEST_SKIP() << "There are no sums on one process.";
@@ -44,7 +45,7 @@ TEST(ParallelMessages, FourSumsInAnIteration)
   parameters.tolerance                = 1e-10;
   parameters.single_cycle_corrections = 0;
   parameters.cycles_per_correction    = 2;
-  unsigned int n_iterations = 0, n_with_four = 0;
+  unsigned int n_iterations = 0, n_with_two = 0;
   for (const double tau : {1e-3, 1e-1})
     {
       const NodalVector b = slider.set_step(tau, 2.5e4);
@@ -65,9 +66,9 @@ TEST(ParallelMessages, FourSumsInAnIteration)
                                  (summary.line_search_evaluations - 2) -
                                  (summary.step_length != 1.);
           is_finished = solver.has_converged(summary);
-          EXPECT_LE(n, 5u);
-          n_with_four += (n == 4);
+          EXPECT_LE(n, summary.cycles + 3);
+          n_with_two += (n == summary.cycles + 2);
         }
     }
-  EXPECT_GE(2 * n_with_four, n_iterations);
+  EXPECT_GE(2 * n_with_two, n_iterations);
 }

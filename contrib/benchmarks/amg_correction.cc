@@ -75,7 +75,7 @@ namespace Measure
                             const double,
                             const bool)
   {
-    constexpr unsigned int max_steps = 200;
+    constexpr unsigned int min_steps = 1, max_steps = 200;
     constexpr double       reduction = 1e-2;
 
     return cg.solve(
@@ -83,6 +83,7 @@ namespace Measure
         cycles.vmult(z, b);
         active.apply(z);
       },
+      min_steps,
       max_steps,
       reduction,
       x,

@@ -33,15 +33,17 @@ namespace StickSlip
   template <int n_components>
   unsigned int
   LinearisedCG<n_components>::solve(const Preconditioner &precondition,
+                                    const unsigned int    min_steps,
                                     const unsigned int    max_steps,
                                     const double          reduction,
                                     NodalVector          &x,
                                     NodalVector          &A_x,
                                     NodalVector          &r)
   {
-    double       rz_before = 0., curvature = 0., rz_small = 0.;
-    unsigned int steps = 0;
-    while (steps < max_steps)
+    double       rz_first = 0., rz_before = 0., curvature = 0.;
+    unsigned int steps   = 0;
+    bool         is_last = max_steps == 0;
+    while (!is_last)
       {
         precondition(preconditioned, r);
         const bool is_first = steps == 0;
@@ -55,10 +57,11 @@ namespace StickSlip
                                local_product(preconditioned, A_direction)}},
                   r.get_mpi_communicator());
         if (is_first)
-          rz_small = reduction * reduction * rz;
+          rz_first = rz;
+        // By so much the step before has reduced the square of the norm.
         const double beta = is_first ? 0. : rz / rz_before;
         curvature = square + 2. * beta * mixed + beta * beta * curvature;
-        if (!(rz > (is_first ? 0. : rz_small)) || !(curvature > 0.))
+        if (!(rz > 0.) || !(curvature > 0.))
           {
             if (is_first)
               {
@@ -83,8 +86,11 @@ namespace StickSlip
             A_x.add(length, A_direction);
           }
         rz_before = rz;
+        is_last =
+          steps >= max_steps || (steps >= min_steps && !is_first &&
+                                 beta * rz <= reduction * reduction * rz_first);
         // Nothing needs the residual of the last step.
-        if (steps < max_steps)
+        if (!is_last)
           {
             r.add(-length, A_direction);
             active.apply(r);

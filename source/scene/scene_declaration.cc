@@ -230,7 +230,16 @@ namespace StickSlip
         1,
         1000,
         "Steps of conjugate gradients, each with one multigrid V-cycle, "
-        "in a linear correction after the first ones.");
+        "in a linear correction after the first ones; more where that "
+        "reduces the residual too little.");
+      add_number(prm,
+                 "Linear reduction",
+                 parameters.linear_reduction,
+                 NumberRange().above(0).at_most(1),
+                 "Corrections of more than one V-cycle take more steps, up to "
+                 "a hundred, until the residual of the linear problem is "
+                 "expected to be below this times the initial one, in the norm "
+                 "of the preconditioner, without unit; 1: never more.");
       add_count(
         prm,
         "Single-cycle corrections",

@@ -3,6 +3,8 @@
 
 #include <stickslip/tnnmg/multigrid_correction.h>
 
+#include <algorithm>
+
 namespace StickSlip
 {
   template <int n_components>
@@ -52,16 +54,18 @@ namespace StickSlip
                                            const bool   is_outdated)
   {
     hierarchy.linearise_coarse_levels(is_outdated);
-    const unsigned int n_cycles =
-      n_solved++ < parameters.single_cycle_corrections ?
-        1 :
-        parameters.cycles_per_correction;
+    const bool is_single     = n_solved++ < parameters.single_cycle_corrections;
+    const unsigned int least = is_single ? 1 : parameters.cycles_per_correction;
+    const unsigned int most  = is_single || parameters.linear_reduction == 1. ?
+                                 least :
+                                 std::max(least, 100u);
     return cg.solve(
       [&](NodalVector &z, const NodalVector &b) {
         hierarchy.v_cycle(z, b, norm);
       },
-      n_cycles,
-      /*reduction=*/0.,
+      least,
+      most,
+      parameters.linear_reduction,
       x,
       A_x,
       r);

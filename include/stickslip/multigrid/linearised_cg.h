@@ -33,13 +33,15 @@ namespace StickSlip
               const NodeMask                             &active);
 
     /**
-     * At most @p max_steps steps, and no more once the residual in the norm of
-     * the preconditioner is @p reduction times the initial one. See
+     * Steps until the residual, in the norm of the preconditioner, is expected
+     * to be @p reduction times the initial one, if the last step reduces it as
+     * the one before; at least @p min_steps, at most @p max_steps. See
      * LinearCorrection for the vectors. Returns the applications of the
      * preconditioner. Collective.
      */
     unsigned int
     solve(const Preconditioner &precondition,
+          const unsigned int    min_steps,
           const unsigned int    max_steps,
           const double          reduction,
           NodalVector          &x,

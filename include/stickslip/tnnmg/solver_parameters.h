@@ -44,8 +44,13 @@ namespace StickSlip
     /** The solver of the linearised problem. */
     LinearCorrectionType linear_correction = LinearCorrectionType::multigrid;
 
-    /** Steps of CG, each with one V-cycle, in a linear correction. */
+    /** Steps of CG, each with one V-cycle, in a linear correction at least. */
     unsigned int cycles_per_correction = 2;
+
+    /** More are taken, up to a hundred, until the residual is expected to be so
+     * small, relative to the initial one in the norm of the preconditioner; 1:
+     * never more. */
+    double linear_reduction = 0.05;
 
     /** The first corrections of a problem take one V-cycle each. */
     unsigned int single_cycle_corrections = 3;
