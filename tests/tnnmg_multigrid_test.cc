@@ -419,3 +419,42 @@ TEST(TNNMG, CoarsestLevelMayBeSolvedByAMG)
   solution[0] -= solution[1];
   EXPECT_LT(solution[0].linfty_norm(), 1e-8 * size);
 }
+
+
+
+TEST(TNNMG, SlowCyclesAreAnsweredByMoreOfThem)
+{
+  // Cells 25 times as wide as high, over which Gauss-Seidel is slow.
+  LayeredSlider     slider({{4, 20}}, {{5, 24}}, 3);
+  const NodalVector b = slider.set_step(1e-1, 0.6 * 4.9e4);
+  const Friction<2> friction =
+    slider.friction(Kind::truncated,
+                    [](const double x, const unsigned) { return x; });
+  TNNMGParameters parameters;
+  parameters.tolerance = 1e-11;
+  NodalVector  solution[2];
+  unsigned int n_iterations[2], n_cycles[2];
+  for (const unsigned int i : {0, 1})
+    {
+      parameters.linear_reduction =
+        (i == 0 ? 1. : TNNMGParameters().linear_reduction);
+      TNNMGSolver<2> solver(slider.problem.hierarchy(), parameters);
+      solution[i] = slider.start();
+      const SolveSummary summary =
+        solver.solve(*friction.functional, b, solution[i]);
+      EXPECT_TRUE(summary.converged);
+      n_iterations[i] = summary.iterations.size();
+      n_cycles[i]     = 0;
+      for (const IterationSummary &iteration : summary.iterations)
+        n_cycles[i] += iteration.cycles;
+      for (unsigned int k = 0; k < n_iterations[0] && i == 0; ++k)
+        EXPECT_EQ(summary.iterations[k].cycles, k < 3 ? 1 : 2);
+    }
+  std::cout << n_iterations[0] << '/' << n_cycles[0] << ", " << n_iterations[1]
+            << '/' << n_cycles[1] << std::endl;
+  EXPECT_LE(3 * n_iterations[1], 2 * n_iterations[0]);
+  EXPECT_LE(n_cycles[1], n_cycles[0]);
+  const double size = solution[0].linfty_norm();
+  solution[0] -= solution[1];
+  EXPECT_LT(solution[0].linfty_norm(), 1e-8 * size);
+}
