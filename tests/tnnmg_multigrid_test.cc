@@ -258,11 +258,9 @@ TEST(Multigrid, StepSizeBackAndForthChangesNothing)
 {
   LayeredSlider      slider(cells, {{14, 2}}, 3);
   LevelHierarchy<2> &hierarchy = slider.problem.hierarchy();
-  const Friction<2>  friction =
-    slider.friction(Kind::truncated,
-                    [](const double x, const unsigned) { return x; });
-  TNNMGParameters parameters;
-  const auto      solve = [&](const double tau) {
+  const Friction<2>  friction  = friction_along(slider);
+  TNNMGParameters    parameters;
+  const auto         solve = [&](const double tau) {
     const NodalVector b = slider.set_step(tau, 0.6 * slider.normal_stress);
     NodalVector       w = slider.start();
     EXPECT_TRUE(TNNMGSolver<2>(hierarchy, parameters)

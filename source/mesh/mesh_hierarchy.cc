@@ -275,6 +275,71 @@ namespace StickSlip
 
 
 
+    /** Numbers of the nodes of all bodies, level by level from the finest
+     * down, from the processes of the cells that have been divided. */
+    template <int dim>
+    class NodeNumbering
+    {
+    public:
+      NodeNumbering(
+        const Bodies<dim> &divided,
+        const std::vector<std::shared_ptr<const std::vector<unsigned int>>>
+                          &owners_of_cells,
+        const unsigned int n_processes)
+        : divided(divided)
+        , owners_of_cells(owners_of_cells)
+        , owners_of_vertices(divided.size())
+        , n_processes(n_processes)
+      {}
+
+      /** The numbers on the level of @p bodies, which so many processes share;
+       * that of @p finer ones came before. */
+      std::vector<NodeNumbers>
+      next_level(const Bodies<dim> &bodies,
+                 const Bodies<dim> &finer,
+                 const unsigned int n_sharing)
+      {
+        std::vector<NodeNumbers> numbers;
+        for (unsigned int i = 0; i < bodies.size(); ++i)
+          {
+            const BodyMesh<dim> &mesh = *bodies[i];
+            if (const NodeNumbers *in_units = mesh.numbers_in_units())
+              {
+                AssertThrow(n_sharing == n_processes, ExcInternalError());
+                numbers.push_back(*in_units);
+                continue;
+              }
+            if (bodies[i] == divided[i])
+              {
+                owners_of_vertices[i] =
+                  vertex_owners<dim>(mesh, *owners_of_cells[i]);
+                divided[i].reset();
+              }
+            else
+              owners_of_vertices[i] =
+                inherited_vertex_owners<dim>(mesh,
+                                             *finer[i],
+                                             owners_of_vertices[i]);
+            std::vector<unsigned int> owners =
+              node_owners<dim>(mesh, owners_of_vertices[i]);
+            if (n_sharing < n_processes)
+              gather(owners, n_processes, n_sharing);
+            numbers.push_back(number_whole_mesh(owners, n_processes));
+          }
+        return numbers;
+      }
+
+    private:
+      /** The meshes whose cells have been divided, until their level. */
+      Bodies<dim> divided;
+      std::vector<std::shared_ptr<const std::vector<unsigned int>>>
+                                             owners_of_cells;
+      std::vector<std::vector<unsigned int>> owners_of_vertices;
+      const unsigned int                     n_processes;
+    };
+
+
+
     template <int dim>
     std::vector<CoarseBody<dim>>
     coarse_bricks(const std::vector<BodyGeometry<dim>> &geometries)
@@ -367,8 +432,8 @@ namespace StickSlip
 
     // Levels from the finest down. A process has two of them as a whole at a
     // time.
-    std::vector<std::vector<unsigned int>> owners_of_vertices(
-      coarse_bodies.size());
+    NodeNumbering<dim> numbering(divided.meshes, owners_of_cells, n_processes);
+    divided.meshes.clear();
     Bodies<dim> finer;
     while (true)
       {
@@ -379,35 +444,11 @@ namespace StickSlip
         else if (!levels.empty())
           n_sharing = std::clamp<std::size_t>(
             n_nodes<dim>(meshes) / min_nodes_per_process, 1, n_processes);
-        std::vector<NodeNumbers> numbers;
-        for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
-          {
-            const BodyMesh<dim> &mesh = *meshes[i];
-            if (const NodeNumbers *in_units = mesh.numbers_in_units())
-              {
-                AssertThrow(n_sharing == n_processes, ExcInternalError());
-                numbers.push_back(*in_units);
-                continue;
-              }
-            if (meshes[i] == divided.meshes[i])
-              {
-                owners_of_vertices[i] =
-                  vertex_owners<dim>(mesh, *owners_of_cells[i]);
-                divided.meshes[i].reset();
-              }
-            else
-              owners_of_vertices[i] =
-                inherited_vertex_owners<dim>(mesh,
-                                             *finer[i],
-                                             owners_of_vertices[i]);
-            std::vector<unsigned int> owners =
-              node_owners<dim>(mesh, owners_of_vertices[i]);
-            if (n_sharing < n_processes)
-              gather(owners, n_processes, n_sharing);
-            numbers.push_back(number_whole_mesh(owners, n_processes));
-          }
-        levels.emplace_back(
-          meshes, topology, numbers, communicator, n_components);
+        levels.emplace_back(meshes,
+                            topology,
+                            numbering.next_level(meshes, finer, n_sharing),
+                            communicator,
+                            n_components);
         if (levels.size() == 1)
           check_plane_sides(levels.front(), topology);
         else
