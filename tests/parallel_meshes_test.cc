@@ -39,6 +39,21 @@ namespace
 
 namespace
 {
+  /** Some levels of the multigrid method refine at the faults alone. The bodies
+   * have different numbers of them. */
+  std::vector<BodyGeometry<2>>
+  strongly_graded_bodies()
+  {
+    std::vector<BodyGeometry<2>> bodies = graded_bodies();
+    bodies[0].refinement_passes         = 5;
+    bodies[1].coarse_cells              = {{10, 5}};
+    bodies[1].uniform_refinements       = 2;
+    bodies[1].refinement_passes         = 3;
+    return bodies;
+  }
+
+
+
   /** Cells of one size, of which no process makes more than it needs. */
   std::vector<BodyGeometry<2>>
   uniform_bodies()
@@ -154,7 +169,8 @@ TEST(ParallelMeshes, CellsOfAllProcessesAreTheWhole)
 
 TEST(ParallelMeshes, EqualThoseOfOneProcess)
 {
-  for (const auto &bodies : {graded_bodies(), uniform_bodies()})
+  for (const auto &bodies :
+       {graded_bodies(), strongly_graded_bodies(), uniform_bodies()})
     for (const unsigned int min_nodes_per_process : {1, 500})
       expect_same_meshes<2>({bodies, MPI_COMM_WORLD, min_nodes_per_process},
                             {bodies, MPI_COMM_SELF});
@@ -166,6 +182,12 @@ TEST(ParallelMeshes, EqualThoseOfOneProcess)
       blocks[b].thickness           = 1.;
       blocks[b].coarse_cells        = {{3 - b, 2, 1}};
       blocks[b].uniform_refinements = 3;
+    }
+  expect_same_meshes<3>({blocks, MPI_COMM_WORLD, 1}, {blocks, MPI_COMM_SELF});
+  for (BodyGeometry<3> &block : blocks)
+    {
+      block.uniform_refinements = 1;
+      block.refinement_passes   = 2;
     }
   expect_same_meshes<3>({blocks, MPI_COMM_WORLD, 1}, {blocks, MPI_COMM_SELF});
 }

@@ -6,10 +6,11 @@
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <stickslip/base/agreement.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
-#include <stickslip/mesh/body_sides.h>
+#include <stickslip/mesh/leaf_cells.h>
 #include <stickslip/mesh/partial_mesh.h>
 #include <stickslip/mesh/refined_cells.h>
 #include <stickslip/mesh/vertices_on_sides.h>
@@ -125,7 +126,7 @@ namespace StickSlip
     , period(body.period)
     , rigid(body.rigid)
     , couples_patches(body.couples_patches)
-    , whole_sides(sides_at_faults)
+    , fault_sides(sides_at_faults)
     , kept_sides(body.whole_sides)
     , coarse_cells(body.cells)
     , coarser_cells(body.coarser_cells)
@@ -137,7 +138,6 @@ namespace StickSlip
     // Nodes that these have in common with faults.
     if (!kept_sides.empty())
       kept_sides.insert(sides_at_faults.begin(), sides_at_faults.end());
-    whole_sides.insert(kept_sides.begin(), kept_sides.end());
     if constexpr (dim == 3)
       if (coarse_cells->all_reference_cells_are_simplex())
         {
@@ -181,29 +181,49 @@ namespace StickSlip
   BodyMesh<dim>::BodyMesh(
     const std::shared_ptr<const BodyMesh>                  &units,
     const std::shared_ptr<const std::vector<unsigned int>> &owners,
+    const RefinementSteps                                  &steps,
     const unsigned int                                      depth,
-    const unsigned int                                      process)
+    const MPI_Comm                                         &communicator)
     : lateral_lower(units->lateral_lower)
     , period(units->period)
     , rigid(units->rigid)
     , couples_patches(units->couples_patches)
-    , whole_sides(units->whole_sides)
+    , fault_sides(units->fault_sides)
     , kept_sides(units->kept_sides)
     , coarse_cells(units->coarse_cells)
     , coarser_cells(units->coarser_cells)
     , units(units)
-    , refinement(std::make_unique<UnitRefinement<dim>>(units->mesh,
-                                                       owners,
-                                                       depth,
-                                                       process,
-                                                       whole_sides))
+    , refinement(std::make_unique<UnitRefinement<dim>>(
+        UnitRefinement<dim>{units->mesh,
+                            owners,
+                            steps,
+                            depth,
+                            fault_sides,
+                            kept_sides,
+                            communicator}))
   {
-    mesh = refinement->make_mesh();
-    if (has_shapes(*mesh))
-      refuse_inverted_cells(*mesh, refinement->level());
+    carry_out_agreed(communicator, [&]() {
+      mesh = refinement->make_mesh();
+      if (has_shapes(*mesh))
+        refuse_inverted_cells(*mesh, steps.uniform);
+    });
+    real_cells = refinement->real_cells(*mesh);
     number_dofs();
-    unit_numbers =
-      std::make_unique<NodeNumbers>(refinement->node_numbers(*dofs));
+    UnitNumbers found = number_share(*refinement, *dofs, real_cells);
+    cell_numbers      = std::move(found.cells);
+    unit_numbers      = std::make_unique<UnitNumbers>(std::move(found));
+    if (steps.at_faults > 0)
+      {
+        AffineConstraints<double> hanging;
+        DoFTools::make_hanging_node_constraints(*dofs, hanging);
+        const std::vector<bool> is_none = hang_on_stand_ins();
+        for (const auto &line : hanging.get_lines())
+          if (!is_none[line.index])
+            {
+              constraints.add_line(line.index);
+              constraints.add_entries(line.index, line.entries);
+            }
+      }
     constraints.close();
     if (couples_patches)
       cell_patches = CellPatches::of_trees(*mesh);
@@ -221,8 +241,9 @@ namespace StickSlip
       return finer.units;
     return std::make_shared<BodyMesh>(finer.units,
                                       finer.refinement->owners,
+                                      finer.refinement->steps.coarser(1),
                                       finer.refinement->depth - 1,
-                                      finer.refinement->process);
+                                      finer.refinement->communicator);
   }
 
 
@@ -233,7 +254,7 @@ namespace StickSlip
     , period(finer.period)
     , rigid(finer.rigid)
     , couples_patches(finer.couples_patches)
-    , whole_sides(finer.whole_sides)
+    , fault_sides(finer.fault_sides)
     , kept_sides(finer.kept_sides)
     , coarse_cells(finer.coarse_cells)
     , coarser_cells(finer.coarser_cells)
@@ -281,7 +302,7 @@ namespace StickSlip
     , period(whole.period)
     , rigid(whole.rigid)
     , couples_patches(whole.couples_patches)
-    , whole_sides(whole.whole_sides)
+    , fault_sides(whole.fault_sides)
     , kept_sides(whole.kept_sides)
   {
     PartialMesh<dim> kept(*whole.mesh, is_kept);
@@ -292,14 +313,8 @@ namespace StickSlip
     part             = Part();
     part->n_vertices = whole.n_vertices();
     part->n_cells    = whole.n_cells();
-    part->cells      = std::move(kept.cells);
-    if (whole.refinement != nullptr)
-      {
-        const std::vector<unsigned int> numbers =
-          whole.refinement->cell_numbers(*whole.mesh);
-        for (unsigned int &cell : part->cells)
-          cell = numbers[cell];
-      }
+    for (const unsigned int cell : kept.cells)
+      cell_numbers.push_back(whole.whole_cell(cell));
     std::vector<types::global_dof_index>       before(dofs->n_dofs());
     const std::vector<types::global_dof_index> here = dofs_of_vertices(),
                                                in_whole =
@@ -384,6 +399,9 @@ namespace StickSlip
   BodyMesh<dim>::distribute_dofs()
   {
     number_dofs();
+    if (red_refinements.empty() &&
+        mesh->n_active_cells() > mesh->n_cells(mesh->n_levels() - 1))
+      number_by_trees();
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
@@ -394,6 +412,53 @@ namespace StickSlip
       cell_patches = red_refinements.empty() ?
                        CellPatches::of_trees(*mesh) :
                        CellPatches::of_equal_parts(*mesh);
+  }
+
+
+
+  template <int dim>
+  void
+  BodyMesh<dim>::number_by_trees()
+  {
+    constexpr types::global_dof_index    none = numbers::invalid_dof_index;
+    std::vector<types::global_dof_index> number(dofs->n_dofs(), none);
+    types::global_dof_index              n_nodes = 0;
+    unsigned int                         n_cells = 0;
+    cell_numbers.resize(mesh->n_active_cells());
+    for_each_leaf(*dofs, [&](const auto &cell) {
+      cell_numbers[cell->active_cell_index()] = n_cells++;
+      for (const auto v : cell->vertex_indices())
+        if (types::global_dof_index &its = number[cell->vertex_dof_index(v, 0)];
+            its == none)
+          its = n_nodes++;
+    });
+    dofs->renumber_dofs(number);
+  }
+
+
+
+  template <int dim>
+  std::vector<bool>
+  BodyMesh<dim>::hang_on_stand_ins() const
+  {
+    std::vector<bool> is_middle(mesh->n_vertices(), false);
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (!is_real(cell))
+        {
+          for (unsigned int l = 0; l < cell->n_lines(); ++l)
+            if (cell->line(l)->has_children())
+              is_middle[cell->line(l)->child(0)->vertex_index(1)] = true;
+          if constexpr (dim == 3)
+            for (const auto &face : cell->face_iterators())
+              if (face->has_children())
+                is_middle[face->child(0)->vertex_index(3)] = true;
+        }
+    const std::vector<types::global_dof_index> dof = dofs_of_vertices();
+    std::vector<bool>                          result(dofs->n_dofs(), false);
+    for (unsigned int v = 0; v < is_middle.size(); ++v)
+      if (is_middle[v])
+        result[dof[v]] = true;
+    return result;
   }
 
 
@@ -414,8 +479,13 @@ namespace StickSlip
   bool
   BodyMesh<dim>::can_have_units(const CoarseBody<dim> &body)
   {
-    return body.refinement_passes == 0 && body.refined_cells.empty() &&
-           !body.rigid && body.period.norm() == 0. &&
+    // Hanging nodes would have to go back to the middle of their edges, and
+    // patches reach farther than cells.
+    const bool is_simple = body.refinement_rows == 1 && !body.refine_where &&
+                           !body.couples_patches && !has_shapes(*body.cells);
+    return (body.refinement_passes == 0 || is_simple) &&
+           body.refined_cells.empty() && !body.rigid &&
+           body.period.norm() == 0. &&
            body.cells->all_reference_cells_are_hyper_cube();
   }
 
@@ -453,8 +523,17 @@ namespace StickSlip
   FaultSurface<dim>
   BodyMesh<dim>::surface(const types::boundary_id side) const
   {
-    return BodySides<dim>{*dofs, constraints, lateral_lower, period}.surface(
-      side);
+    return surface_of_faces<dim>(faces_on_side(side), period);
+  }
+
+
+
+  template <int dim>
+  std::vector<SideFace<dim>>
+  BodyMesh<dim>::faces_on_side(const types::boundary_id side) const
+  {
+    return BodySides<dim>{*dofs, constraints, lateral_lower, period}.faces(
+      side, [this](const auto &cell) { return is_real(cell); });
   }
 
 
@@ -509,7 +588,7 @@ namespace StickSlip
   BodyMesh<dim>::n_vertices() const
   {
     return part         ? part->n_vertices :
-           unit_numbers ? unit_numbers->n_nodes :
+           unit_numbers ? unit_numbers->nodes.n_nodes :
                           mesh->n_used_vertices();
   }
 
@@ -519,9 +598,9 @@ namespace StickSlip
   unsigned int
   BodyMesh<dim>::n_cells() const
   {
-    return part       ? part->n_cells :
-           refinement ? refinement->n_cells() :
-                        mesh->n_active_cells();
+    return part         ? part->n_cells :
+           unit_numbers ? unit_numbers->n_cells :
+                          mesh->n_active_cells();
   }
 
 

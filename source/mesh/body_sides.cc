@@ -57,43 +57,49 @@ namespace StickSlip
 
 
   template <int dim>
-  FaultSurface<dim>
-  BodySides<dim>::surface(const types::boundary_id side) const
+  std::vector<SideFace<dim>>
+  BodySides<dim>::faces(
+    const types::boundary_id                                side,
+    const std::function<bool(
+      const typename Triangulation<dim>::cell_iterator &)> &is_wanted) const
   {
-    constexpr unsigned int n_vertices = GeometryInfo<dim>::vertices_per_face;
-
-    struct Face
-    {
-      // Degrees of freedom, then positions in the surface.
-      std::array<types::global_dof_index, n_vertices>  dofs;
-      std::array<std::array<int, dim - 1>, n_vertices> wraps;
-      Tensor<1, dim>                                   outward;
-    };
-
-    std::map<types::global_dof_index, Point<dim>> nodes;
-    std::vector<Face>                             faces;
+    std::vector<SideFace<dim>> result;
     for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->at_boundary())
+      if (cell->at_boundary() && is_wanted(cell))
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == side)
             {
-              faces.emplace_back();
-              faces.back().outward = outward_area<dim>(face, cell->center());
-              faces.back().dofs.fill(numbers::invalid_dof_index);
+              result.emplace_back();
+              SideFace<dim> &its = result.back();
+              its.outward        = outward_area<dim>(face, cell->center());
+              its.nodes.fill(numbers::invalid_dof_index);
+              its.wraps = {};
               for (unsigned int v = 0; v < face->n_vertices(); ++v)
                 {
-                  const auto [dof, wraps] =
+                  std::tie(its.nodes[v], its.wraps[v]) =
                     node_of_vertex(face->vertex_dof_index(v, 0),
                                    face->vertex(v));
-                  Point<dim> position = face->vertex(v);
+                  its.positions[v] = face->vertex(v);
                   for (unsigned int d = 0; d + 1 < dim; ++d)
-                    if (wraps[d] != 0)
-                      position[d] = lateral_lower[d];
-                  faces.back().dofs[v]  = dof;
-                  faces.back().wraps[v] = wraps;
-                  nodes[dof]            = position;
+                    if (its.wraps[v][d] != 0)
+                      its.positions[v][d] = lateral_lower[d];
                 }
             }
+    return result;
+  }
+
+
+
+  template <int dim>
+  FaultSurface<dim>
+  surface_of_faces(const std::vector<SideFace<dim>> &faces,
+                   const Tensor<1, dim - 1>         &period)
+  {
+    std::map<types::global_dof_index, Point<dim>> nodes;
+    for (const SideFace<dim> &face : faces)
+      for (unsigned int v = 0; v < face.nodes.size(); ++v)
+        if (face.nodes[v] != numbers::invalid_dof_index)
+          nodes[face.nodes[v]] = face.positions[v];
 
     std::vector<std::pair<Point<dim>, types::global_dof_index>> sorted;
     for (const auto &node : nodes)
@@ -113,33 +119,58 @@ namespace StickSlip
         surface.nodes.push_back(node.second);
         surface.points.push_back(node.first);
       }
-    for (Face &face : faces)
-      for (auto &dof : face.dofs)
-        if (dof != numbers::invalid_dof_index)
-          dof = position[dof];
-    std::sort(faces.begin(), faces.end(), [](const Face &a, const Face &b) {
-      return std::tie(a.dofs, a.wraps) < std::tie(b.dofs, b.wraps);
-    });
-    for (const Face &face : faces)
+
+    // Faces by the places of their nodes.
+    struct Face
+    {
+      std::array<unsigned int, SideFace<dim>::n_vertices> places;
+      decltype(SideFace<dim>::wraps)                      wraps;
+      Tensor<1, dim>                                      outward;
+    };
+    std::vector<Face> placed;
+    for (const SideFace<dim> &face : faces)
       {
-        surface.faces.emplace_back();
-        // The invalid numbers of both types have all bits.
-        std::copy(face.dofs.begin(),
-                  face.dofs.end(),
-                  surface.faces.back().begin());
+        placed.push_back({{}, face.wraps, face.outward});
+        for (unsigned int v = 0; v < face.nodes.size(); ++v)
+          placed.back().places[v] =
+            face.nodes[v] == numbers::invalid_dof_index ?
+              numbers::invalid_unsigned_int :
+              position[face.nodes[v]];
+      }
+    const auto key = [](const Face &face) {
+      return std::tie(face.places, face.wraps);
+    };
+    std::sort(placed.begin(), placed.end(), [&](const Face &a, const Face &b) {
+      return key(a) < key(b);
+    });
+    placed.erase(std::unique(placed.begin(),
+                             placed.end(),
+                             [&](const Face &a, const Face &b) {
+                               return key(a) == key(b);
+                             }),
+                 placed.end());
+
+    std::vector<Tensor<1, dim>> areas;
+    for (const Face &face : placed)
+      {
+        surface.faces.push_back(face.places);
         if (period.norm() > 0)
           surface.wraps.push_back(face.wraps);
+        areas.push_back(face.outward);
       }
     surface.period = period;
-    std::vector<Tensor<1, dim>> areas;
-    for (const Face &face : faces)
-      areas.push_back(face.outward);
     surface.set_normals(areas);
     return surface;
   }
 
 
 
+  template struct SideFace<2>;
+  template struct SideFace<3>;
+  template FaultSurface<2>
+  surface_of_faces<2>(const std::vector<SideFace<2>> &, const Tensor<1, 1> &);
+  template FaultSurface<3>
+  surface_of_faces<3>(const std::vector<SideFace<3>> &, const Tensor<1, 2> &);
   template struct BodySides<2>;
   template struct BodySides<3>;
 } // namespace StickSlip

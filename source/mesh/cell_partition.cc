@@ -11,6 +11,7 @@
 #include <stickslip/mesh/cell_partition.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -140,7 +141,8 @@ namespace StickSlip
         const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
         const FaultTopology                                     &topology,
         const std::vector<unsigned int>                         &first_cell,
-        const std::vector<unsigned int>                         &depths)
+        const std::vector<std::vector<unsigned int>>            &n_finest)
+        : n_finer(first_cell.back(), 1)
       {
         for (unsigned int i = 0; i < bodies.size(); ++i)
           {
@@ -149,10 +151,13 @@ namespace StickSlip
               within.emplace_back(first + a, first + b);
             for (const auto &[a, b] : neighbouring_cells(*bodies[i], true))
               in_lines.emplace_back(first + a, first + b);
-            const unsigned int depth = depths.empty() ? 0 : depths[i];
-            n_finer.resize(first_cell[i + 1], 1u << (dim * depth));
-            n_finer_faces.resize(first_cell[i + 1], 1u << ((dim - 1) * depth));
+            if (!n_finest.empty())
+              std::copy(n_finest[i].begin(),
+                        n_finest[i].end(),
+                        n_finer.begin() + first);
           }
+        for (const unsigned int n : n_finer)
+          n_finer_faces.push_back(std::lround(std::pow(n, (dim - 1.) / dim)));
         for (const Fault &fault : topology.faults())
           add_pairs_across(fault_cells(bodies, fault.sides[0], first_cell),
                            fault_cells(bodies, fault.sides[1], first_cell),
@@ -224,8 +229,8 @@ namespace StickSlip
         return result;
       }
 
-      /** Numbers of finest cells for which each stands, and of their faces on
-       * one of its own. */
+      /** Numbers of finest cells for which each stands, and, but for those that
+       * are refined more at faults, of their faces on one of its own. */
       std::vector<unsigned int> n_finer, n_finer_faces;
       std::vector<CellPair>     within, in_lines, through_faults, across;
     };
@@ -239,7 +244,7 @@ namespace StickSlip
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
     const FaultTopology                                     &topology,
     const unsigned int                                       n_parts,
-    const std::vector<unsigned int>                         &depths)
+    const std::vector<std::vector<unsigned int>>            &n_finest)
   {
     AssertThrow(n_parts > 0, ExcMessage("There is no process to own cells."));
 
@@ -251,7 +256,7 @@ namespace StickSlip
     const std::vector<unsigned int> owners =
       n_parts == 1 ?
         std::vector<unsigned int>(first_cell.back(), 0) :
-        NeighbouringCells<dim>(bodies, topology, first_cell, depths)
+        NeighbouringCells<dim>(bodies, topology, first_cell, n_finest)
           .parts(n_parts);
 
     std::vector<std::vector<unsigned int>> of_body;
@@ -357,12 +362,12 @@ namespace StickSlip
   partition_cells<2>(const std::vector<std::shared_ptr<const BodyMesh<2>>> &,
                      const FaultTopology &,
                      const unsigned int,
-                     const std::vector<unsigned int> &);
+                     const std::vector<std::vector<unsigned int>> &);
   template std::vector<std::vector<unsigned int>>
   partition_cells<3>(const std::vector<std::shared_ptr<const BodyMesh<3>>> &,
                      const FaultTopology &,
                      const unsigned int,
-                     const std::vector<unsigned int> &);
+                     const std::vector<std::vector<unsigned int>> &);
   template std::vector<unsigned int>
   vertex_owners<2>(const BodyMesh<2> &, const std::vector<unsigned int> &);
   template std::vector<unsigned int>

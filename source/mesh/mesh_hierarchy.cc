@@ -3,7 +3,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/base/agreement.h>
 #include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/cell_partition.h>
@@ -103,18 +102,19 @@ namespace StickSlip
 
 
     /** The smallest size of a face (in three dimensions the root of its area)
-     * on one of these sides, infinite if there is none. */
+     * on one of these sides, infinite if there is none. Collective. */
     template <int dim>
     double
     smallest_face(const BodyMesh<dim>                &body,
-                  const std::set<types::boundary_id> &sides)
+                  const std::set<types::boundary_id> &sides,
+                  const MPI_Comm                     &communicator)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for (const auto &face : body.triangulation().active_face_iterators())
         if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
           smallest =
             std::min(smallest, std::pow(face->measure(), 1. / (dim - 1)));
-      return smallest;
+      return Utilities::MPI::min(smallest, communicator);
     }
 
 
@@ -171,12 +171,15 @@ namespace StickSlip
      */
     template <int dim>
     Bodies<dim>
-    coarsened_once(const Bodies<dim> &bodies, const FaultTopology &topology)
+    coarsened_once(const Bodies<dim>   &bodies,
+                   const FaultTopology &topology,
+                   const MPI_Comm      &communicator)
     {
       std::vector<double> face;
       for (unsigned int b = 0; b < bodies.size(); ++b)
-        face.push_back(
-          smallest_face<dim>(*bodies[b], topology.sides_at_faults(b)));
+        face.push_back(smallest_face<dim>(*bodies[b],
+                                          topology.sides_at_faults(b),
+                                          communicator));
       const auto can_wait = [&](const unsigned int b) {
         for (const unsigned int other : neighbours(topology, b))
           {
@@ -228,10 +231,31 @@ namespace StickSlip
 
 
 
+    template <int dim>
+    RefinementSteps
+    steps_of(const CoarseBody<dim> &body)
+    {
+      return {body.uniform_refinements, body.refinement_passes};
+    }
+
+
+
+    /** The steps to the units of a body, of which so many are left then if it
+     * has as many. */
+    template <int dim>
+    RefinementSteps
+    steps_to_units(const CoarseBody<dim> &body, const unsigned int depth)
+    {
+      const RefinementSteps steps = steps_of(body);
+      return steps.coarser(std::min(depth, steps.finest()));
+    }
+
+
+
     /**
-     * The meshes that are divided between the processes, and how often the
-     * cells of each body are refined after that: as often as leaves
-     * @p least_cells in all.
+     * The meshes that are divided between the processes, how many steps of
+     * refinement of each body are beyond them, as many as leave @p least_cells
+     * in all, and how many finest cells each of their cells stands for.
      */
     template <int dim>
     struct DividedMeshes
@@ -241,36 +265,59 @@ namespace StickSlip
                     const std::size_t                   least_cells)
         : meshes(coarse_bodies.size())
         , depths(coarse_bodies.size(), 0)
+        , n_finest(coarse_bodies.size())
       {
-        std::size_t n_cells = 0;
+        std::size_t               n_other_cells = 0;
+        std::vector<unsigned int> with_units;
+        unsigned int              deepest = 0;
         for (unsigned int b = 0; b < meshes.size(); ++b)
           if (BodyMesh<dim>::can_have_units(coarse_bodies[b]))
-            n_cells += std::size_t(coarse_bodies[b].cells->n_active_cells())
-                       << (dim * coarse_bodies[b].uniform_refinements);
+            {
+              with_units.push_back(b);
+              deepest = std::max(deepest, steps_of(coarse_bodies[b]).finest());
+            }
           else
             {
               meshes[b] =
                 std::make_shared<BodyMesh<dim>>(coarse_bodies[b],
                                                 topology.sides_at_faults(b));
-              n_cells += meshes[b]->n_cells();
+              n_finest[b].assign(meshes[b]->n_cells(), 1);
+              n_other_cells += meshes[b]->n_cells();
             }
+
+        const auto has_enough_cells = [&](const unsigned int depth) {
+          std::size_t n_cells = n_other_cells;
+          for (const unsigned int b : with_units)
+            for (const unsigned int n :
+                 count_finest_cells(*coarse_bodies[b].cells,
+                                    topology.sides_at_faults(b),
+                                    steps_to_units(coarse_bodies[b], depth)))
+              n_cells += n;
+          return n_cells >= least_cells;
+        };
         unsigned int depth = 0;
-        while ((n_cells >> (dim * (depth + 1))) >= least_cells)
+        while (depth < deepest && has_enough_cells(depth + 1))
           ++depth;
-        for (unsigned int b = 0; b < meshes.size(); ++b)
-          if (meshes[b] == nullptr)
-            {
-              CoarseBody<dim> body = coarse_bodies[b];
-              depths[b]            = std::min(depth, body.uniform_refinements);
-              body.uniform_refinements -= depths[b];
-              meshes[b] =
-                std::make_shared<BodyMesh<dim>>(body,
-                                                topology.sides_at_faults(b));
-            }
+
+        for (const unsigned int b : with_units)
+          {
+            const RefinementSteps steps = steps_of(coarse_bodies[b]),
+                                  to_units =
+                                    steps_to_units(coarse_bodies[b], depth);
+            depths[b]                = steps.finest() - to_units.finest();
+            CoarseBody<dim> body     = coarse_bodies[b];
+            body.uniform_refinements = to_units.uniform;
+            body.refinement_passes   = to_units.at_faults;
+            const auto sides         = topology.sides_at_faults(b);
+            meshes[b] = std::make_shared<BodyMesh<dim>>(body, sides);
+            n_finest[b] =
+              count_finest_cells(meshes[b]->triangulation(), sides, steps);
+          }
       }
 
-      Bodies<dim>               meshes;
-      std::vector<unsigned int> depths;
+      Bodies<dim>                            meshes;
+      std::vector<unsigned int>              depths;
+      std::vector<std::vector<unsigned int>> n_finest;
     };
 
 
@@ -414,21 +461,18 @@ namespace StickSlip
     std::vector<std::shared_ptr<const std::vector<unsigned int>>>
       owners_of_cells;
     for (auto &owners : partition_cells<dim>(
-           divided.meshes, topology, n_processes, divided.depths))
+           divided.meshes, topology, n_processes, divided.n_finest))
       owners_of_cells.push_back(
         std::make_shared<const std::vector<unsigned int>>(std::move(owners)));
 
     Bodies<dim> meshes = divided.meshes;
-    carry_out_agreed(communicator, [&]() {
-      for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
-        if (divided.depths[i] > 0)
-          meshes[i] =
-            std::make_shared<BodyMesh<dim>>(divided.meshes[i],
-                                            owners_of_cells[i],
-                                            divided.depths[i],
-                                            Utilities::MPI::this_mpi_process(
-                                              communicator));
-    });
+    for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
+      if (divided.depths[i] > 0)
+        meshes[i] = std::make_shared<BodyMesh<dim>>(divided.meshes[i],
+                                                    owners_of_cells[i],
+                                                    steps_of(coarse_bodies[i]),
+                                                    divided.depths[i],
+                                                    communicator);
 
     // Levels from the finest down. A process has two of them as a whole at a
     // time.
@@ -472,7 +516,7 @@ namespace StickSlip
         if (is_coarsest)
           break;
         finer  = std::move(meshes);
-        meshes = coarsened_once(finer, topology);
+        meshes = coarsened_once(finer, topology, communicator);
       }
     if (n_processes > 1)
       {

@@ -9,6 +9,7 @@
 #include <stickslip/mesh/mesh_level.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace StickSlip
@@ -115,13 +116,14 @@ namespace StickSlip
 
     for (const Fault &fault : topology.faults())
       {
-        surfaces.push_back({{join(fault.sides[0]), join(fault.sides[1])}});
+        surfaces.push_back({{join(fault.sides[0], communicator),
+                             join(fault.sides[1], communicator)}});
         for (const FaultSurface<dim> &surface : surfaces.back())
           if (surface.faces.empty())
             throw InputError("A side of the fault '" + fault.name +
                              "' has no faces.");
       }
-    strip_nodes = find_strip(topology);
+    strip_nodes = find_strip(topology, communicator);
     nodes =
       NodePartition(owned, find_ghosts(owned), n_components, communicator);
   }
@@ -155,7 +157,8 @@ namespace StickSlip
 
   template <int dim>
   IndexSet
-  MeshLevel<dim>::find_strip(const FaultTopology &topology) const
+  MeshLevel<dim>::find_strip(const FaultTopology &topology,
+                             const MPI_Comm      &communicator) const
   {
     std::vector<std::set<types::boundary_id>> sides;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -174,26 +177,91 @@ namespace StickSlip
                                           its_nodes.begin(),
                                           its_nodes.end());
                    });
-    return make_index_set(n_nodes(), strip);
+    IndexSet result = make_index_set(n_nodes(), strip);
+    if (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
+          return body->numbers_in_units() != nullptr;
+        }))
+      for (const IndexSet &its :
+           Utilities::MPI::all_gather(communicator, IndexSet(result)))
+        result.add_indices(its);
+    result.compress();
+    return result;
   }
 
 
 
   template <int dim>
   FaultSurface<dim>
-  MeshLevel<dim>::join(const std::vector<BodySide> &parts) const
+  MeshLevel<dim>::whole_part(const BodySide &part,
+                             const MPI_Comm &communicator) const
+  {
+    const BodyMesh<dim> &body = *bodies[part.body];
+    if (body.numbers_in_units() == nullptr)
+      {
+        FaultSurface<dim> surface = body.surface(part.side);
+        for (types::global_dof_index &node : surface.nodes)
+          node = global_node(part.body, node);
+        return surface;
+      }
+
+    // Bodies that have shares are not periodic.
+    std::vector<double> numbers_and_places;
+    for (const SideFace<dim> &face : body.faces_on_side(part.side))
+      {
+        for (unsigned int v = 0; v < face.nodes.size(); ++v)
+          {
+            numbers_and_places.push_back(body.whole_dof(face.nodes[v]));
+            numbers_and_places.push_back(global_node(part.body, face.nodes[v]));
+            for (unsigned int d = 0; d < dim; ++d)
+              numbers_and_places.push_back(face.positions[v][d]);
+          }
+        for (unsigned int d = 0; d < dim; ++d)
+          numbers_and_places.push_back(face.outward[d]);
+      }
+    std::vector<SideFace<dim>>                                           faces;
+    std::unordered_map<types::global_dof_index, types::global_dof_index> number;
+    for (const std::vector<double> &its :
+         Utilities::MPI::all_gather(communicator, numbers_and_places))
+      for (auto entry = its.begin(); entry != its.end();)
+        {
+          faces.emplace_back();
+          SideFace<dim> &face = faces.back();
+          face.wraps          = {};
+          for (unsigned int v = 0; v < face.nodes.size(); ++v)
+            {
+              face.nodes[v]         = *entry++;
+              number[face.nodes[v]] = *entry++;
+              for (unsigned int d = 0; d < dim; ++d)
+                face.positions[v][d] = *entry++;
+            }
+          for (unsigned int d = 0; d < dim; ++d)
+            face.outward[d] = *entry++;
+        }
+    FaultSurface<dim> surface =
+      surface_of_faces<dim>(faces, body.lateral_period());
+    for (types::global_dof_index &node : surface.nodes)
+      node = number[node];
+    return surface;
+  }
+
+
+
+  template <int dim>
+  FaultSurface<dim>
+  MeshLevel<dim>::join(const std::vector<BodySide> &parts,
+                       const MPI_Comm              &communicator) const
   {
     FaultSurface<dim>                               result;
     std::map<types::global_dof_index, unsigned int> places;
     std::vector<Tensor<1, dim>>                     face_areas;
     for (const BodySide &part : parts)
       {
-        FaultSurface<dim> surface = bodies[part.body]->surface(part.side);
+        FaultSurface<dim> surface = whole_part(part, communicator);
         // Parts on the same body may have nodes in common.
         std::vector<unsigned int> place_of;
         for (unsigned int k = 0; k < surface.nodes.size(); ++k)
           {
-            const auto node = global_node(part.body, surface.nodes[k]);
+            const auto node = surface.nodes[k];
             const auto [place, is_new] =
               places.emplace(node, result.nodes.size());
             place_of.push_back(place->second);

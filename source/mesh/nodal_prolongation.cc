@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi_consensus_algorithms.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/lac/full_matrix.h>
 
@@ -8,12 +9,86 @@
 #include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/nodal_prolongation.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace StickSlip
 {
   namespace
   {
+    /** The process of each node, from how many they own. */
+    std::vector<types::global_dof_index>
+    ends_of_owned(const NodePartition &nodes)
+    {
+      std::vector<types::global_dof_index> ends =
+        Utilities::MPI::all_gather(nodes.communicator(),
+                                   types::global_dof_index(nodes.n_owned()));
+      std::partial_sum(ends.begin(), ends.end(), ends.begin());
+      return ends;
+    }
+
+
+
+    /** The rows of the wanted nodes, which processes ask their owners for. */
+    std::vector<GlobalRow>
+    wanted_rows(const NodePartition          &nodes,
+                const IndexSet               &wanted,
+                const std::vector<GlobalRow> &own_rows)
+    {
+      std::vector<GlobalRow>                     rows;
+      const std::vector<types::global_dof_index> ends = ends_of_owned(nodes);
+      // Nodes and their places among the wanted ones.
+      std::map<unsigned int, std::vector<types::global_dof_index>> asked_for;
+      std::map<unsigned int, std::vector<std::size_t>>             places;
+      for (const types::global_dof_index node : wanted)
+        {
+          if (nodes.owned().is_element(node))
+            rows.push_back(own_rows[nodes.owned().index_within_set(node)]);
+          else
+            {
+              const unsigned int owner =
+                std::upper_bound(ends.begin(), ends.end(), node) - ends.begin();
+              asked_for[owner].push_back(node);
+              places[owner].push_back(rows.size());
+              rows.emplace_back();
+            }
+        }
+      std::vector<unsigned int> owners;
+      for (const auto &its : asked_for)
+        owners.push_back(its.first);
+
+      // A row is its size, and numbers of nodes and values in turn.
+      using Nodes = std::vector<types::global_dof_index>;
+      using Rows  = std::vector<double>;
+      Utilities::MPI::ConsensusAlgorithms::selector<Nodes, Rows>(
+        owners,
+        [&](const unsigned int process) { return asked_for[process]; },
+        [&](const unsigned int, const Nodes &its_nodes) {
+          Rows answer;
+          for (const types::global_dof_index node : its_nodes)
+            {
+              const GlobalRow &row =
+                own_rows[nodes.owned().index_within_set(node)];
+              answer.push_back(row.size());
+              for (const auto &entry : row)
+                answer.insert(answer.end(),
+                              {double(entry.first), entry.second});
+            }
+          return answer;
+        },
+        [&](const unsigned int process, const Rows &answer) {
+          auto next = answer.begin();
+          for (const std::size_t place : places[process])
+            for (unsigned int n = *next++; n > 0; --n, next += 2)
+              rows[place].emplace_back(*next, *(next + 1));
+        },
+        nodes.communicator());
+      return rows;
+    }
+
+
+
     /**
      * The rows of one body. Trees of a fine and a coarse mesh are walked
      * together; below an active coarse cell, @p values holds the coarse cell's
@@ -159,7 +234,7 @@ namespace StickSlip
             coarse_cell->get_dof_indices(coarse_dofs);
             below(fine_cell, IdentityMatrix(coarse_dofs.size()));
           }
-        else
+        else if (fine_cell->has_children())
           for (unsigned int child = 0; child < fine_cell->n_children(); ++child)
             both(fine_cell->child(child), coarse_cell->child(child));
       }
@@ -225,9 +300,12 @@ namespace StickSlip
                                        const IndexSet       &wanted)
     : fine_nodes(wanted)
   {
-    std::vector<GlobalRow> rows(wanted.n_elements());
+    const IndexSet        &owned = fine.nodes.owned();
+    std::vector<GlobalRow> own_rows(owned.n_elements());
     for (unsigned int body = 0; body < fine.bodies.size(); ++body)
-      BodyRows<dim>(coarse, fine, body, wanted, rows).make();
+      BodyRows<dim>(coarse, fine, body, owned, own_rows).make();
+    const std::vector<GlobalRow> rows =
+      wanted_rows(fine.nodes, wanted, own_rows);
     for (const GlobalRow &row : rows)
       {
         for (const auto &entry : row)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace StickSlip
 {
@@ -107,41 +108,104 @@ namespace StickSlip
                                   contact.is_bent,
                                   excluded);
 
-        const MortarCoupling<dim> &coupling = contact.coupling;
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
-          if (coupling.active[k])
-            {
-              auto &[factor, partners] = jumps[contact.slave_nodes[k]];
-              factor                   = coupling.averaging_factor[k];
-              for (const auto &entry : coupling.master_rows[k])
-                partners.emplace_back(contact.master_nodes[entry.first],
-                                      entry.second);
-              for (const auto &entry : coupling.inactive_slave_rows[k])
-                partners.emplace_back(contact.slave_nodes[entry.first],
-                                      entry.second);
-              if (coupling.rotation_rows.empty())
-                continue;
-              std::set<unsigned int> columns;
-              for (const auto &entry : coupling.master_rows[k])
-                columns.insert(entry.first);
-              auto &term = rotation_terms[contact.slave_nodes[k]];
-              for (auto [q, matrix] : coupling.rotation_rows[k])
-                {
-                  const auto node = contact.master_nodes[q];
-                  if (columns.count(q) == 0)
-                    {
-                      partners.emplace_back(node, least_entry);
-                      // The term takes it back.
-                      for (unsigned int d = 0; d < dim; ++d)
-                        matrix[d][d] += least_entry;
-                    }
-                  term.emplace_back(node, matrix);
-                }
-            }
         contacts.push_back(std::move(contact));
       }
-    for (const auto &jump : jumps)
-      active_nodes.push_back(jump.first);
+
+    // Each active node, its fault and its place there.
+    std::vector<std::tuple<types::global_dof_index, unsigned int, unsigned int>>
+      active;
+    for (unsigned int f = 0; f < contacts.size(); ++f)
+      for (unsigned int k = 0; k < contacts[f].slave_nodes.size(); ++k)
+        if (contacts[f].coupling.active[k])
+          active.emplace_back(contacts[f].slave_nodes[k], f, k);
+    std::sort(active.begin(), active.end());
+    for (const auto &[node, f, k] : active)
+      {
+        const FaultContact<dim> &contact = contacts[f];
+        active_nodes.push_back(node);
+        factors.push_back(contact.coupling.averaging_factor[k]);
+        for (const auto &[partner, weight] : partners(contact, k))
+          {
+            partner_nodes.push_back(partner);
+            partner_weights.push_back(weight);
+          }
+        partners_end.push_back(partner_nodes.size());
+        if (!contact.axes.are_those_of_space())
+          jump_frames.set(node, contact.axes.at(k));
+      }
+    partner_nodes.shrink_to_fit();
+    partner_weights.shrink_to_fit();
+  }
+
+
+
+  template <int dim>
+  GlobalRow
+  JumpBasis<dim>::partners(const FaultContact<dim> &contact,
+                           const unsigned int       k)
+  {
+    const MortarCoupling<dim> &coupling = contact.coupling;
+    GlobalRow                  result;
+    for (const auto &entry : coupling.master_rows[k])
+      result.emplace_back(contact.master_nodes[entry.first], entry.second);
+    for (const auto &entry : coupling.inactive_slave_rows[k])
+      result.emplace_back(contact.slave_nodes[entry.first], entry.second);
+    if (coupling.rotation_rows.empty())
+      return result;
+    std::set<unsigned int> columns;
+    for (const auto &entry : coupling.master_rows[k])
+      columns.insert(entry.first);
+    auto &term = rotation_terms[contact.slave_nodes[k]];
+    for (auto [q, matrix] : coupling.rotation_rows[k])
+      {
+        const auto node = contact.master_nodes[q];
+        if (columns.count(q) == 0)
+          {
+            result.emplace_back(node, least_entry);
+            // The term takes it back.
+            for (unsigned int d = 0; d < dim; ++d)
+              matrix[d][d] += least_entry;
+          }
+        term.emplace_back(node, matrix);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  JumpBasis<dim>::forget_faults()
+  {
+    contacts.clear();
+    contacts.shrink_to_fit();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  JumpBasis<dim>::position(const types::global_dof_index node) const
+  {
+    const auto found =
+      std::lower_bound(active_nodes.begin(), active_nodes.end(), node);
+    return found != active_nodes.end() && *found == node ?
+             found - active_nodes.begin() :
+             active_nodes.size();
+  }
+
+
+
+  template <int dim>
+  void
+  JumpBasis<dim>::add_partners(const unsigned int position,
+                               const double       factor,
+                               GlobalRow         &row) const
+  {
+    for (unsigned int k = position == 0 ? 0 : partners_end[position - 1];
+         k < partners_end[position];
+         ++k)
+      row.emplace_back(partner_nodes[k], factor * partner_weights[k]);
   }
 
 
@@ -150,11 +214,11 @@ namespace StickSlip
   GlobalRow
   JumpBasis<dim>::to_nodal(const types::global_dof_index node) const
   {
-    const auto jump = jumps.find(node);
-    if (jump == jumps.end())
+    const unsigned int p = position(node);
+    if (p == active_nodes.size())
       return {{node, 1.}};
-    GlobalRow row = {{node, 1. / jump->second.first}};
-    add_multiple(row, 1., jump->second.second);
+    GlobalRow row = {{node, 1. / factors[p]}};
+    add_partners(p, 1., row);
     return row;
   }
 
@@ -164,28 +228,12 @@ namespace StickSlip
   GlobalRow
   JumpBasis<dim>::to_jumps(const types::global_dof_index node) const
   {
-    const auto jump = jumps.find(node);
-    if (jump == jumps.end())
+    const unsigned int p = position(node);
+    if (p == active_nodes.size())
       return {{node, 1.}};
-    const double factor = jump->second.first;
-    GlobalRow    row    = {{node, factor}};
-    add_multiple(row, -factor, jump->second.second);
+    GlobalRow row = {{node, factors[p]}};
+    add_partners(p, -factors[p], row);
     return row;
-  }
-
-
-
-  template <int dim>
-  NodeFrames<dim>
-  JumpBasis<dim>::frames() const
-  {
-    NodeFrames<dim> result;
-    for (const FaultContact<dim> &contact : contacts)
-      if (!contact.axes.are_those_of_space())
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
-          if (contact.coupling.active[k])
-            result.set(contact.slave_nodes[k], contact.axes.at(k));
-    return result;
   }
 
 

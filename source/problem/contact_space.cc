@@ -178,6 +178,8 @@ namespace StickSlip
           }
         bases.emplace_back(
           level, sides, axes_now, displacements, dirichlet_masks[l]);
+        if (l + 1 < n_levels)
+          bases.back().forget_faults();
       }
     std::reverse(bases.begin(), bases.end());
     for (unsigned int i = 0; i < bases.back().faults().size(); ++i)

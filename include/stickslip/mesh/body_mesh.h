@@ -9,10 +9,10 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <stickslip/geometry/coarse_body.h>
+#include <stickslip/mesh/body_sides.h>
 #include <stickslip/mesh/cell_patches.h>
-#include <stickslip/mesh/fault_surface.h>
 #include <stickslip/mesh/red_refinement.h>
-#include <stickslip/mesh/unit_refinement.h>
+#include <stickslip/mesh/unit_numbers.h>
 
 #include <limits>
 #include <memory>
@@ -65,13 +65,15 @@ namespace StickSlip
     BodyMesh(const BodyGeometry<dim>            &geometry,
              const std::set<types::boundary_id> &sides_at_faults);
 
-    /** The share of a process in the mesh with each cell of @p units refined so
-     * often. What is here are cells of the whole mesh and others, see
-     * is_real(). Throws InputError if one of its cells is inverted. */
+    /** The share of a process in the mesh that the @p steps lead to, of which
+     * @p depth are beyond the @p units, whose cells have @p owners. What is
+     * here are cells of the whole mesh and others, see is_real(). Throws
+     * InputError if a cell is inverted. Collective. */
     BodyMesh(const std::shared_ptr<const BodyMesh>                  &units,
              const std::shared_ptr<const std::vector<unsigned int>> &owners,
+             const RefinementSteps                                  &steps,
              const unsigned int                                      depth,
-             const unsigned int                                      process);
+             const MPI_Comm &communicator);
 
     /** The mesh in which every cell of @p finer that can be is coarsened; if
      * none can be, the next of CoarseBody::coarser_cells. */
@@ -103,8 +105,8 @@ namespace StickSlip
     has_coarser_cells() const;
 
     /** True if the refined cells of a body may be made only where a process
-     * needs them: quadrilaterals or hexahedra of one level, and no side joined
-     * to another. */
+     * needs them: quadrilaterals or hexahedra, refined as RefinementSteps say,
+     * and no side joined to another. */
     static bool
     can_have_units(const CoarseBody<dim> &body);
 
@@ -113,14 +115,14 @@ namespace StickSlip
     const NodeNumbers *
     numbers_in_units() const
     {
-      return unit_numbers.get();
+      return unit_numbers ? &unit_numbers->nodes : nullptr;
     }
 
-    /** True if a cell is one of the mesh, not in place of finer ones. */
+    /** True if an active cell is one of the mesh, not in place of others. */
     bool
     is_real(const typename Triangulation<dim>::cell_iterator &cell) const
     {
-      return refinement == nullptr || refinement->is_real(cell);
+      return real_cells.empty() || real_cells[cell->active_cell_index()];
     }
 
     /** For each vertex of the triangulation, if it is on a side that every
@@ -149,6 +151,10 @@ namespace StickSlip
      * of freedom. */
     FaultSurface<dim>
     surface(const types::boundary_id side) const;
+
+    /** The faces on one side that are here. */
+    std::vector<SideFace<dim>>
+    faces_on_side(const types::boundary_id side) const;
 
     /** The degrees of freedom on one side, hanging ones included; on periodic
      * bodies images only once. */
@@ -179,16 +185,15 @@ namespace StickSlip
     whole_dof(const types::global_dof_index dof) const
     {
       return part         ? part->dofs[dof] :
-             unit_numbers ? unit_numbers->serial[dof] :
+             unit_numbers ? unit_numbers->nodes.serial[dof] :
                             dof;
     }
 
-    /** The number of an active cell in the whole mesh, if this is one or a part
-     * that is kept. */
+    /** The number of an active cell in the whole mesh. */
     unsigned int
     whole_cell(const unsigned int cell) const
     {
-      return part ? part->cells[cell] : cell;
+      return cell_numbers.empty() ? cell : cell_numbers[cell];
     }
 
     const Triangulation<dim> &
@@ -243,9 +248,19 @@ namespace StickSlip
     void
     number_dofs();
 
-    /** Number the degrees of freedom, and find the bound nodes and patches. */
+    /** Number the degrees of freedom and cells of a whole mesh, and find the
+     * bound nodes and patches. */
     void
     distribute_dofs();
+
+    /** Number degrees of freedom and cells tree by tree. */
+    void
+    number_by_trees();
+
+    /** The degrees of freedom in the middle of faces and edges of cells that
+     * are not real. */
+    std::vector<bool>
+    hang_on_stand_ins() const;
 
     /** Lower end of the body, and its length along periodic axes. */
     std::array<double, dim - 1> lateral_lower;
@@ -253,19 +268,20 @@ namespace StickSlip
     bool                        rigid;
     bool                        couples_patches;
 
-    /** Sides that every process has as a whole while meshes are made, and those
-     * that it needs after that. */
-    std::set<types::boundary_id> whole_sides, kept_sides;
+    /** Sides at faults, and those that every process needs as a whole. */
+    std::set<types::boundary_id> fault_sides, kept_sides;
 
     /** Numbers in the whole mesh, if only part of it is here. */
     struct Part
     {
       unsigned int                         n_vertices, n_cells;
-      std::vector<unsigned int>            cells;
       std::vector<types::global_dof_index> dofs;
     };
 
     std::optional<Part> part;
+
+    /** Numbers of the active cells in the whole mesh; empty: as they are. */
+    std::vector<unsigned int> cell_numbers;
 
     /** The mesh before any refinement. */
     std::shared_ptr<const Triangulation<dim>> coarse_cells;
@@ -279,7 +295,8 @@ namespace StickSlip
     /** The mesh of the units, if cells are made only where they are needed. */
     std::shared_ptr<const BodyMesh>            units;
     std::unique_ptr<const UnitRefinement<dim>> refinement;
-    std::unique_ptr<const NodeNumbers>         unit_numbers;
+    std::vector<bool>                          real_cells;
+    std::unique_ptr<const UnitNumbers>         unit_numbers;
 
     std::shared_ptr<const Triangulation<dim>> mesh;
     std::unique_ptr<DoFHandler<dim>>          dofs;

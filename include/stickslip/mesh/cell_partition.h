@@ -18,8 +18,7 @@ namespace StickSlip
    * times the mean, or 1.5 times below 1,000 cells for each part. For
    * powers of two, parts of neighbouring numbers are neighbours in space. Parts
    * in excess of the number of cells own nothing. Where cells stand for finer
-   * ones, @p depths are the numbers of times that those of each body are
-   * refined.
+   * ones, @p n_finest are their numbers for each cell of each body.
    *
    * The result depends on the arguments alone, so that each process finds the
    * same without messages.
@@ -30,7 +29,7 @@ namespace StickSlip
     const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
     const FaultTopology                                     &topology,
     const unsigned int                                       n_parts,
-    const std::vector<unsigned int>                         &depths = {});
+    const std::vector<std::vector<unsigned int>>            &n_finest = {});
 
   /**
    * The owner of every vertex of a body's mesh, by vertex index of the

@@ -128,10 +128,17 @@ namespace StickSlip
     find_ghosts(const IndexSet &owned) const;
 
     IndexSet
-    find_strip(const FaultTopology &topology) const;
+    find_strip(const FaultTopology &topology,
+               const MPI_Comm      &communicator) const;
 
     FaultSurface<dim>
-    join(const std::vector<BodySide> &parts) const;
+    join(const std::vector<BodySide> &parts,
+         const MPI_Comm              &communicator) const;
+
+    /** One part of a side of a fault as a whole, its nodes by global number,
+     * whatever of it is here. */
+    FaultSurface<dim>
+    whole_part(const BodySide &part, const MPI_Comm &communicator) const;
 
     /** Position in global_numbers of the first node of each body. */
     std::vector<types::global_dof_index> first_node;

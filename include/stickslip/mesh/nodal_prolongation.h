@@ -22,7 +22,8 @@ namespace StickSlip
      * The rows of the @p wanted nodes of the level @p fine: the values there of
      * the basis functions of @p coarse, whose meshes differ by at most one
      * refinement of each cell, or are not nested. In the latter case nodes
-     * outside of the coarse cells have the values next to them.
+     * outside of the coarse cells have the values next to them. Each process
+     * finds the rows of its own nodes, and asks for others. Collective.
      */
     template <int dim>
     NodalProlongation(const MeshLevel<dim> &coarse,

@@ -97,6 +97,10 @@ namespace StickSlip
       return contacts;
     }
 
+    /** Forget faults(): coarse levels are only asked for rows and frames. */
+    void
+    forget_faults();
+
     /** A row of B. */
     GlobalRow
     to_nodal(const types::global_dof_index node) const;
@@ -107,8 +111,11 @@ namespace StickSlip
 
     /** Axes of the jumps of all active slave nodes; empty where these are those
      * of space. */
-    NodeFrames<dim>
-    frames() const;
+    const NodeFrames<dim> &
+    frames() const
+    {
+      return jump_frames;
+    }
 
     /** Addition of the rotation-free jump at a node to that of the rows, in the
      * axes of space and before the factor of the row: master nodes q and
@@ -130,12 +137,32 @@ namespace StickSlip
     owned_contact_nodes(const NodePartition &nodes) const;
 
   private:
+    /** Partners of an active slave node, whose weighted values are the other
+     * side of the jump. */
+    GlobalRow
+    partners(const FaultContact<dim> &contact, const unsigned int k);
+
+    /** The position among the active nodes, or their number for any other
+     * node. */
+    unsigned int
+    position(const types::global_dof_index node) const;
+
+    /** Add a multiple of the partners of the active node at a position. */
+    void
+    add_partners(const unsigned int position,
+                 const double       factor,
+                 GlobalRow         &row) const;
+
     std::vector<FaultContact<dim>>       contacts;
+    NodeFrames<dim>                      jump_frames;
     std::vector<types::global_dof_index> active_nodes;
 
-    /** For each active slave node its averaging factor and the partners whose
-     * weighted values are the other side of the jump. */
-    std::map<types::global_dof_index, std::pair<double, GlobalRow>> jumps;
+    /** For each active slave node its averaging factor, and the end of its
+     * partners in the arrays of all. */
+    std::vector<double>                  factors;
+    std::vector<unsigned int>            partners_end;
+    std::vector<types::global_dof_index> partner_nodes;
+    std::vector<double>                  partner_weights;
 
     /** Terms at nodes of curved faults. */
     std::map<types::global_dof_index,
