@@ -172,10 +172,10 @@ namespace
         hat_integrals(pair.master, pair.lower(), pair.upper()));
 
     double largest = 0.;
-    for (const auto &row : coupling.master_rows)
+    for (unsigned int p = 0; p < coupling.master_rows.size(); ++p)
       {
         double sum = 0.;
-        for (const auto &entry : row)
+        for (const auto &entry : coupling.master_rows[p])
           sum += std::abs(entry.second);
         largest = std::max(largest, sum);
       }

@@ -100,11 +100,7 @@ TEST(SideOfTwoBodies, DisplacementsAreInjectedAtTheSamePlaces)
   auto displacements = gather_fault_displacements(meshes.finest(), sides, u);
   for (unsigned int l = meshes.n_levels() - 1; l-- > 0;)
     {
-      displacements            = inject(meshes.level(l),
-                             meshes.level(l + 1),
-                             meshes.prolongation(l + 1),
-                             sides,
-                             displacements);
+      displacements            = inject(meshes, l, sides, displacements);
       const auto expect_values = [&](const unsigned int               side,
                                      const std::vector<Tensor<1, 2>> &values) {
         const FaultSurface<2> &surface = meshes.level(l).surface(0, side);

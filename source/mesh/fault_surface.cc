@@ -78,6 +78,7 @@ namespace StickSlip
     if (!is_in_one_plane)
       return;
     face_normals.clear();
+    face_normals.shrink_to_fit();
     // A level fault is level to the last bit.
     for (unsigned int d = 0; d < dim; ++d)
       for (const double sign : {-1., 1.})

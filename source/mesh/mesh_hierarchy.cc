@@ -3,9 +3,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/index_set.h>
 #include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/cell_partition.h>
+#include <stickslip/mesh/fault_places.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 
 #include <algorithm>
@@ -204,29 +206,30 @@ namespace StickSlip
 
 
 
-    /** Rows of the prolongation to a level that are needed: for the nodes that
-     * cells or the prolongation to the next finer level, the last of those that
-     * there are, or the contact may couple with owned ones. */
+    /** The places on the surfaces of a level of the nodes of those of the next
+     * coarser one, for both sides of each fault. Collective. */
     template <int dim>
-    IndexSet
-    wanted_rows(const MeshLevel<dim>                 &level,
-                const FaultTopology                  &topology,
-                const std::vector<NodalProlongation> &prolongations)
+    std::vector<std::array<std::vector<unsigned int>, 2>>
+    places_on_surfaces(const MeshLevel<dim>    &coarse,
+                       const MeshLevel<dim>    &fine,
+                       const NodalProlongation &own_rows,
+                       const unsigned int       n_faults)
     {
-      IndexSet wanted = level.nodes.owned();
-      wanted.add_indices(level.nodes.nodes()->ghost_indices());
-      wanted.add_indices(level.strip());
-      // Every process has the hanging nodes of all faults.
-      for (unsigned int f = 0; f < topology.faults().size(); ++f)
+      std::vector<types::global_dof_index> nodes;
+      for (unsigned int f = 0; f < n_faults; ++f)
         for (const unsigned int side : {0, 1})
-          {
-            const auto &nodes = level.surface(f, side).nodes;
-            wanted.add_indices(nodes.begin(), nodes.end());
-          }
-      if (!prolongations.empty())
-        wanted.add_indices(prolongations.back().columns(level.n_nodes()));
-      wanted.compress();
-      return wanted;
+          nodes.insert(nodes.end(),
+                       fine.surface(f, side).nodes.begin(),
+                       fine.surface(f, side).nodes.end());
+      const NodalProlongation prolongation(
+        own_rows, fine.nodes, make_index_set(fine.n_nodes(), nodes));
+      std::vector<std::array<std::vector<unsigned int>, 2>> result(n_faults);
+      for (unsigned int f = 0; f < n_faults; ++f)
+        for (const unsigned int side : {0, 1})
+          result[f][side] = places_on_finer(coarse.surface(f, side),
+                                            fine.surface(f, side),
+                                            prolongation);
+      return result;
     }
 
 
@@ -498,14 +501,12 @@ namespace StickSlip
         else
           {
             MeshLevel<dim> &fine = levels[levels.size() - 2];
-            // Coarser cells that are not nested couple nodes farther away; they
-            // are few.
-            prolongations.emplace_back(
-              levels.back(),
-              fine,
-              meshes.front()->is_nested_with(*finer.front()) ?
-                wanted_rows(fine, topology, prolongations) :
-                complete_index_set(fine.n_nodes()));
+            prolongations.emplace_back(levels.back(), fine);
+            fault_places.push_back(
+              places_on_surfaces(levels.back(),
+                                 fine,
+                                 prolongations.back(),
+                                 topology.faults().size()));
             finer.clear();
             if (n_processes > 1)
               {
@@ -528,6 +529,7 @@ namespace StickSlip
                            levels.front().nodes.n_local());
     std::reverse(levels.begin(), levels.end());
     std::reverse(prolongations.begin(), prolongations.end());
+    std::reverse(fault_places.begin(), fault_places.end());
   }
 
 
@@ -547,6 +549,18 @@ namespace StickSlip
   {
     AssertIndexRange(l - 1, prolongations.size());
     return prolongations[l - 1];
+  }
+
+
+
+  template <int dim>
+  const std::vector<unsigned int> &
+  MeshHierarchy<dim>::places_on_finer(const unsigned int l,
+                                      const unsigned int fault,
+                                      const unsigned int side) const
+  {
+    AssertIndexRange(l, fault_places.size());
+    return fault_places[l][fault][side];
   }
 
 

@@ -283,6 +283,9 @@ namespace StickSlip
                             surface.wraps.end());
         result.period = surface.period;
       }
+    result.nodes.shrink_to_fit();
+    result.points.shrink_to_fit();
+    result.faces.shrink_to_fit();
     result.set_normals(face_areas);
     return result;
   }

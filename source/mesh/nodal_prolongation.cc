@@ -5,7 +5,6 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <stickslip/algebra/index_set.h>
 #include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/nodal_prolongation.h>
 
@@ -26,65 +25,6 @@ namespace StickSlip
                                    types::global_dof_index(nodes.n_owned()));
       std::partial_sum(ends.begin(), ends.end(), ends.begin());
       return ends;
-    }
-
-
-
-    /** The rows of the wanted nodes, which processes ask their owners for. */
-    std::vector<GlobalRow>
-    wanted_rows(const NodePartition          &nodes,
-                const IndexSet               &wanted,
-                const std::vector<GlobalRow> &own_rows)
-    {
-      std::vector<GlobalRow>                     rows;
-      const std::vector<types::global_dof_index> ends = ends_of_owned(nodes);
-      // Nodes and their places among the wanted ones.
-      std::map<unsigned int, std::vector<types::global_dof_index>> asked_for;
-      std::map<unsigned int, std::vector<std::size_t>>             places;
-      for (const types::global_dof_index node : wanted)
-        {
-          if (nodes.owned().is_element(node))
-            rows.push_back(own_rows[nodes.owned().index_within_set(node)]);
-          else
-            {
-              const unsigned int owner =
-                std::upper_bound(ends.begin(), ends.end(), node) - ends.begin();
-              asked_for[owner].push_back(node);
-              places[owner].push_back(rows.size());
-              rows.emplace_back();
-            }
-        }
-      std::vector<unsigned int> owners;
-      for (const auto &its : asked_for)
-        owners.push_back(its.first);
-
-      // A row is its size, and numbers of nodes and values in turn.
-      using Nodes = std::vector<types::global_dof_index>;
-      using Rows  = std::vector<double>;
-      Utilities::MPI::ConsensusAlgorithms::selector<Nodes, Rows>(
-        owners,
-        [&](const unsigned int process) { return asked_for[process]; },
-        [&](const unsigned int, const Nodes &its_nodes) {
-          Rows answer;
-          for (const types::global_dof_index node : its_nodes)
-            {
-              const GlobalRow &row =
-                own_rows[nodes.owned().index_within_set(node)];
-              answer.push_back(row.size());
-              for (const auto &entry : row)
-                answer.insert(answer.end(),
-                              {double(entry.first), entry.second});
-            }
-          return answer;
-        },
-        [&](const unsigned int process, const Rows &answer) {
-          auto next = answer.begin();
-          for (const std::size_t place : places[process])
-            for (unsigned int n = *next++; n > 0; --n, next += 2)
-              rows[place].emplace_back(*next, *(next + 1));
-        },
-        nodes.communicator());
-      return rows;
     }
 
 
@@ -296,27 +236,83 @@ namespace StickSlip
 
   template <int dim>
   NodalProlongation::NodalProlongation(const MeshLevel<dim> &coarse,
-                                       const MeshLevel<dim> &fine,
-                                       const IndexSet       &wanted)
-    : fine_nodes(wanted)
+                                       const MeshLevel<dim> &fine)
+    : fine_nodes(fine.nodes.owned())
   {
-    const IndexSet        &owned = fine.nodes.owned();
-    std::vector<GlobalRow> own_rows(owned.n_elements());
+    std::vector<GlobalRow> rows(fine_nodes.n_elements());
     for (unsigned int body = 0; body < fine.bodies.size(); ++body)
-      BodyRows<dim>(coarse, fine, body, owned, own_rows).make();
-    const std::vector<GlobalRow> rows =
-      wanted_rows(fine.nodes, wanted, own_rows);
+      BodyRows<dim>(coarse, fine, body, fine_nodes, rows).make();
     for (const GlobalRow &row : rows)
-      {
-        for (const auto &entry : row)
-          {
-            column.push_back(entry.first);
-            value.push_back(entry.second);
-          }
-        row_start.push_back(column.size());
-      }
+      add_row(row);
     column.shrink_to_fit();
     value.shrink_to_fit();
+  }
+
+
+
+  NodalProlongation::NodalProlongation(const NodalProlongation &own_rows,
+                                       const NodePartition     &fine,
+                                       const IndexSet          &wanted)
+    : own_rows(&own_rows)
+    , fine_nodes(wanted)
+  {
+    fine_nodes.subtract_set(fine.owned());
+    const std::vector<types::global_dof_index> ends = ends_of_owned(fine);
+    std::map<unsigned int, std::vector<types::global_dof_index>> asked_for;
+    std::vector<unsigned int>                                    owners;
+    for (const types::global_dof_index node : fine_nodes)
+      {
+        const unsigned int owner =
+          std::upper_bound(ends.begin(), ends.end(), node) - ends.begin();
+        if (owners.empty() || owners.back() != owner)
+          owners.push_back(owner);
+        asked_for[owner].push_back(node);
+      }
+
+    // A row is its size, and numbers of nodes and values in turn.
+    using Nodes = std::vector<types::global_dof_index>;
+    using Rows  = std::vector<double>;
+    std::map<unsigned int, Rows> answers;
+    Utilities::MPI::ConsensusAlgorithms::selector<Nodes, Rows>(
+      owners,
+      [&](const unsigned int process) { return asked_for[process]; },
+      [&](const unsigned int, const Nodes &nodes) {
+        Rows answer;
+        for (const types::global_dof_index node : nodes)
+          {
+            const GlobalRow its = own_rows.row(node);
+            answer.push_back(its.size());
+            for (const auto &entry : its)
+              answer.insert(answer.end(), {double(entry.first), entry.second});
+          }
+        return answer;
+      },
+      [&](const unsigned int process, const Rows &answer) {
+        answers[process] = answer;
+      },
+      fine.communicator());
+    // Nodes of an owner follow each other.
+    for (const auto &[process, answer] : answers)
+      for (auto next = answer.begin(); next != answer.end();)
+        {
+          GlobalRow its;
+          for (unsigned int n = *next++; n > 0; --n, next += 2)
+            its.emplace_back(*next, *(next + 1));
+          add_row(its);
+        }
+  }
+
+
+
+  void
+  NodalProlongation::add_row(const GlobalRow &row)
+  {
+    for (const auto &entry : row)
+      {
+        column.push_back(entry.first);
+        value.push_back(entry.second);
+      }
+    row_start.push_back(column.size());
   }
 
 
@@ -324,6 +320,8 @@ namespace StickSlip
   GlobalRow
   NodalProlongation::row(const types::global_dof_index fine_node) const
   {
+    if (own_rows != nullptr && own_rows->fine_nodes.is_element(fine_node))
+      return own_rows->row(fine_node);
     AssertThrow(fine_nodes.is_element(fine_node), ExcInternalError());
     const auto i = fine_nodes.index_within_set(fine_node);
     GlobalRow  result;
@@ -335,18 +333,8 @@ namespace StickSlip
 
 
 
-  IndexSet
-  NodalProlongation::columns(const types::global_dof_index n_coarse) const
-  {
-    return make_index_set(n_coarse, column);
-  }
-
-
-
   template NodalProlongation::NodalProlongation(const MeshLevel<2> &,
-                                                const MeshLevel<2> &,
-                                                const IndexSet &);
+                                                const MeshLevel<2> &);
   template NodalProlongation::NodalProlongation(const MeshLevel<3> &,
-                                                const MeshLevel<3> &,
-                                                const IndexSet &);
+                                                const MeshLevel<3> &);
 } // namespace StickSlip

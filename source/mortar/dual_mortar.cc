@@ -8,6 +8,7 @@
 #include <stickslip/mortar/dual_basis.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/face_overlap.h>
+#include <stickslip/mortar/shared_coupling.h>
 
 #include <cmath>
 #include <limits>
@@ -296,6 +297,49 @@ namespace StickSlip
 
 
 
+    /** The faces of the nodes of a range and of those that share a face with
+     * them: what the weights of all of these follow from. */
+    template <int dim>
+    FaultSurface<dim>
+    faces_around(const FaultSurface<dim> &surface, const SlaveRange &range)
+    {
+      if (range.end - range.begin == surface.points.size())
+        return surface;
+      std::vector<bool> is_near(surface.points.size(), false);
+      std::fill(is_near.begin() + range.begin,
+                is_near.begin() + range.end,
+                true);
+      const auto touches = [&](const unsigned int       face,
+                               const std::vector<bool> &nodes) {
+        for (unsigned int v = 0; v < surface.n_vertices_of(face); ++v)
+          if (nodes[surface.faces[face][v]])
+            return true;
+        return false;
+      };
+      const std::vector<bool> is_own = is_near;
+      for (unsigned int f = 0; f < surface.faces.size(); ++f)
+        if (touches(f, is_own))
+          for (unsigned int v = 0; v < surface.n_vertices_of(f); ++v)
+            is_near[surface.faces[f][v]] = true;
+
+      FaultSurface<dim> result = surface;
+      result.faces.clear();
+      result.face_normals.clear();
+      result.wraps.clear();
+      for (unsigned int f = 0; f < surface.faces.size(); ++f)
+        if (touches(f, is_near))
+          {
+            result.faces.push_back(surface.faces[f]);
+            if (!surface.is_plane())
+              result.face_normals.push_back(surface.face_normals[f]);
+            if (!surface.wraps.empty())
+              result.wraps.push_back(surface.wraps[f]);
+          }
+      return result;
+    }
+
+
+
     template <int dim>
     std::vector<DualBasis<dim>>
     dual_bases(const FaultSurface<dim>               &slave,
@@ -309,15 +353,15 @@ namespace StickSlip
 
 
 
-    SparseRow
-    normalised_row(const std::map<unsigned int, double> &row,
-                   const double                          diagonal)
+    /** Append a row divided by its diagonal. */
+    void
+    add_normalised(const std::map<unsigned int, double> &row,
+                   const double                          diagonal,
+                   SparseRows                           &rows)
     {
-      SparseRow result;
       for (const auto &[column, value] : row)
         if (std::abs(value) > entry_tolerance * diagonal)
-          result.emplace_back(column, value / diagonal);
-      return result;
+          rows.add_entry(column, value / diagonal);
     }
   } // namespace
 
@@ -331,11 +375,32 @@ namespace StickSlip
                         const std::vector<Point<dim>> &master_positions,
                         const std::vector<bool>       &excluded)
   {
+    return couple_slave_nodes(
+      slave,
+      slave_positions,
+      master,
+      master_positions,
+      excluded,
+      {0, static_cast<unsigned int>(slave_positions.size())});
+  }
+
+
+
+  template <int dim>
+  MortarCoupling<dim>
+  couple_slave_nodes(const FaultSurface<dim>       &whole_slave,
+                     const std::vector<Point<dim>> &slave_positions,
+                     const FaultSurface<dim>       &master,
+                     const std::vector<Point<dim>> &master_positions,
+                     const std::vector<bool>       &excluded,
+                     const SlaveRange              &range)
+  {
     const unsigned int n_nodes = slave_positions.size();
-    const unsigned int n_faces = slave.faces.size();
     Assert(excluded.empty() || excluded.size() == n_nodes,
            ExcDimensionMismatch(excluded.size(), n_nodes));
 
+    const FaultSurface<dim> slave   = faces_around(whole_slave, range);
+    const unsigned int      n_faces = slave.faces.size();
     const std::vector<FaceIntegrals<dim>> integrals =
       integrate_faces(slave, slave_positions, master, master_positions);
 
@@ -348,8 +413,6 @@ namespace StickSlip
     coupling.active.resize(n_nodes);
     coupling.weight.resize(n_nodes);
     coupling.averaging_factor.resize(n_nodes);
-    coupling.master_rows.resize(n_nodes);
-    coupling.inactive_slave_rows.resize(n_nodes);
     for (unsigned int p = 0; p < n_nodes; ++p)
       coupling.active[p] =
         weights.is_active(p) && !(excluded.size() > 0 && excluded[p]);
@@ -369,17 +432,17 @@ namespace StickSlip
             active[i] = coupling.active[face[i]];
             n_active += active[i];
           }
-        if (n_active == 0 || !bases[f].is_valid())
-          {
-            coupling.lost_area += integrals[f].area;
-            continue;
-          }
-        coupling.covered_area += integrals[f].area;
+        const bool is_lost = (n_active == 0 || !bases[f].is_valid());
+        if (range.contains(face[0]))
+          (is_lost ? coupling.lost_area : coupling.covered_area) +=
+            integrals[f].area;
+        if (is_lost)
+          continue;
 
         bases[f].restrict_to(active);
         const auto &A = bases[f].coefficients();
         for (unsigned int i = 0; i < n; ++i)
-          if (active[i])
+          if (active[i] && range.contains(face[i]))
             {
               for (const auto &[q, column] : integrals[f].mixed)
                 {
@@ -413,16 +476,23 @@ namespace StickSlip
     if (!C.empty())
       coupling.rotation_rows.resize(n_nodes);
     for (unsigned int p = 0; p < n_nodes; ++p)
-      if (coupling.active[p])
-        {
-          if (!C.empty())
-            for (const auto &[q, value] : C[p])
-              if (value.norm() > entry_tolerance * diagonal[p])
-                coupling.rotation_rows[p].emplace_back(q, value / diagonal[p]);
-          coupling.averaging_factor[p]    = diagonal[p] / coupling.weight[p];
-          coupling.master_rows[p]         = normalised_row(M[p], diagonal[p]);
-          coupling.inactive_slave_rows[p] = normalised_row(E[p], diagonal[p]);
-        }
+      {
+        if (coupling.active[p] && range.contains(p))
+          {
+            if (!C.empty())
+              for (const auto &[q, value] : C[p])
+                if (value.norm() > entry_tolerance * diagonal[p])
+                  coupling.rotation_rows[p].emplace_back(q,
+                                                         value / diagonal[p]);
+            coupling.averaging_factor[p] = diagonal[p] / coupling.weight[p];
+            add_normalised(M[p], diagonal[p], coupling.master_rows);
+            add_normalised(E[p], diagonal[p], coupling.inactive_slave_rows);
+          }
+        coupling.master_rows.end_row();
+        coupling.inactive_slave_rows.end_row();
+      }
+    coupling.master_rows.close();
+    coupling.inactive_slave_rows.close();
     return coupling;
   }
 
@@ -460,6 +530,8 @@ namespace StickSlip
   template struct MortarCoupling<2>;
   template struct MortarCoupling<3>;
 
+  template decltype(couple_slave_nodes<2>) couple_slave_nodes<2>;
+  template decltype(couple_slave_nodes<3>) couple_slave_nodes<3>;
   template MortarCoupling<2>
   build_mortar_coupling(const FaultSurface<2> &,
                         const std::vector<Point<2>> &,

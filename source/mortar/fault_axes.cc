@@ -179,18 +179,15 @@ namespace StickSlip
 
   template <int dim>
   std::vector<FaultAxes<dim>>
-  inject(const MeshLevel<dim>              &coarse,
-         const MeshLevel<dim>              &fine,
-         const NodalProlongation           &prolongation,
+  inject(const MeshHierarchy<dim>          &meshes,
+         const unsigned int                 level,
          const std::vector<FaultSides>     &sides,
          const std::vector<FaultAxes<dim>> &axes)
   {
     std::vector<FaultAxes<dim>> result;
     for (unsigned int f = 0; f < sides.size(); ++f)
       result.push_back(
-        axes[f].at_places(fine_places(coarse.surface(f, sides[f].slave),
-                                      fine.surface(f, sides[f].slave),
-                                      prolongation)));
+        axes[f].at_places(meshes.places_on_finer(level, f, sides[f].slave)));
     return result;
   }
 
@@ -203,9 +200,8 @@ namespace StickSlip
     const FaultTopology &,                                   \
     const std::vector<FaultSides> &);                        \
   template std::vector<FaultAxes<dim>> inject<dim>(          \
-    const MeshLevel<dim> &,                                  \
-    const MeshLevel<dim> &,                                  \
-    const NodalProlongation &,                               \
+    const MeshHierarchy<dim> &,                              \
+    const unsigned int,                                      \
     const std::vector<FaultSides> &,                         \
     const std::vector<FaultAxes<dim>> &);
 

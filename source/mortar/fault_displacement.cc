@@ -5,45 +5,8 @@
 
 #include <stickslip/mortar/fault_displacement.h>
 
-#include <algorithm>
-#include <map>
-
 namespace StickSlip
 {
-  template <int dim>
-  std::vector<unsigned int>
-  fine_places(const FaultSurface<dim> &coarse,
-              const FaultSurface<dim> &fine,
-              const NodalProlongation &prolongation)
-  {
-    std::map<types::global_dof_index, unsigned int> fine_place;
-    for (unsigned int k = 0; k < fine.nodes.size(); ++k)
-      if (const GlobalRow row = prolongation.row(fine.nodes[k]);
-          row.size() == 1)
-        fine_place[row.front().first] = k;
-
-    std::vector<unsigned int> result;
-    for (unsigned int c = 0; c < coarse.nodes.size(); ++c)
-      {
-        const auto place = fine_place.find(coarse.nodes[c]);
-        if (place != fine_place.end())
-          result.push_back(place->second);
-        else
-          // The next one, where meshes are not nested.
-          result.push_back(
-            std::min_element(fine.points.begin(),
-                             fine.points.end(),
-                             [&](const auto &a, const auto &b) {
-                               return coarse.points[c].distance(a) <
-                                      coarse.points[c].distance(b);
-                             }) -
-            fine.points.begin());
-      }
-    return result;
-  }
-
-
-
   template <int dim>
   std::vector<Tensor<1, dim>>
   gather_nodes(const NodalVector                          &values,
@@ -104,9 +67,8 @@ namespace StickSlip
 
   template <int dim>
   std::vector<FaultDisplacement<dim>>
-  inject(const MeshLevel<dim>                      &coarse,
-         const MeshLevel<dim>                      &fine,
-         const NodalProlongation                   &prolongation,
+  inject(const MeshHierarchy<dim>                  &meshes,
+         const unsigned int                         level,
          const std::vector<FaultSides>             &sides,
          const std::vector<FaultDisplacement<dim>> &displacements)
   {
@@ -116,9 +78,7 @@ namespace StickSlip
         const auto on_side = [&](const unsigned int                 side,
                                  const std::vector<Tensor<1, dim>> &values) {
           std::vector<Tensor<1, dim>> injected;
-          for (const unsigned int k : fine_places(coarse.surface(f, side),
-                                                  fine.surface(f, side),
-                                                  prolongation))
+          for (const unsigned int k : meshes.places_on_finer(level, f, side))
             injected.push_back(values[k]);
           return injected;
         };
@@ -132,10 +92,6 @@ namespace StickSlip
 
 #define STICKSLIP_INSTANTIATE(dim)                                 \
   template struct FaultDisplacement<dim>;                          \
-  template std::vector<unsigned int> fine_places<dim>(             \
-    const FaultSurface<dim> &,                                     \
-    const FaultSurface<dim> &,                                     \
-    const NodalProlongation &);                                    \
   template std::vector<Tensor<1, dim>> gather_nodes<dim>(          \
     const NodalVector &,                                           \
     const NodePartition &,                                         \
@@ -149,9 +105,8 @@ namespace StickSlip
                                   const std::vector<FaultSides> &, \
                                   const NodalVector &);            \
   template std::vector<FaultDisplacement<dim>> inject<dim>(        \
-    const MeshLevel<dim> &,                                        \
-    const MeshLevel<dim> &,                                        \
-    const NodalProlongation &,                                     \
+    const MeshHierarchy<dim> &,                                    \
+    const unsigned int,                                            \
     const std::vector<FaultSides> &,                               \
     const std::vector<FaultDisplacement<dim>> &);
 

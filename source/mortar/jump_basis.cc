@@ -4,6 +4,7 @@
 #include <stickslip/mortar/crosspoints.h>
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/mortar/moved_surface.h>
+#include <stickslip/mortar/shared_coupling.h>
 
 #include <algorithm>
 #include <set>
@@ -41,20 +42,26 @@ namespace StickSlip
            const FaultSurface<dim>      &master,
            const FaultDisplacement<dim> &displacement,
            const bool                    are_bent,
-           const std::vector<bool>      &excluded)
+           const std::vector<bool>      &excluded,
+           const MPI_Comm               &communicator)
     {
       const std::vector<Point<dim>> slave_positions =
         current_positions(slave, displacement.slave);
       const std::vector<Point<dim>> master_positions =
         current_positions(master, displacement.master);
       if (!are_bent)
-        return build_mortar_coupling<dim>(
-          slave, slave_positions, master, master_positions, excluded);
-      return build_mortar_coupling<dim>(moved_surface(slave, slave_positions),
+        return build_shared_coupling<dim>(slave,
+                                          slave_positions,
+                                          master,
+                                          master_positions,
+                                          excluded,
+                                          communicator);
+      return build_shared_coupling<dim>(moved_surface(slave, slave_positions),
                                         slave_positions,
                                         moved_surface(master, master_positions),
                                         master_positions,
-                                        excluded);
+                                        excluded,
+                                        communicator);
     }
 
 
@@ -106,7 +113,8 @@ namespace StickSlip
                                   master,
                                   displacements[f],
                                   contact.is_bent,
-                                  excluded);
+                                  excluded,
+                                  level.nodes.communicator());
 
         contacts.push_back(std::move(contact));
       }

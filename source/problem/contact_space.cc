@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stickslip/algebra/index_set.h>
 #include <stickslip/base/agreed_failure.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/make_set.h>
@@ -163,18 +164,15 @@ namespace StickSlip
     std::vector<FaultDisplacement<dim>> displacements =
       gather_fault_displacements(finest, sides, displacement);
     std::vector<FaultAxes<dim>> axes_now = axes;
+    bases.reserve(n_levels);
     mapping.gaps = follow_bends(expected_slip, axes_now, displacements);
     for (unsigned int l = n_levels; l-- > 0;)
       {
         const MeshLevel<dim> &level = mesh_hierarchy.level(l);
         if (l + 1 < n_levels)
           {
-            const MeshLevel<dim>    &finer = mesh_hierarchy.level(l + 1);
-            const NodalProlongation &prolongation =
-              mesh_hierarchy.prolongation(l + 1);
-            displacements =
-              inject(level, finer, prolongation, sides, displacements);
-            axes_now = inject(level, finer, prolongation, sides, axes_now);
+            displacements = inject(mesh_hierarchy, l, sides, displacements);
+            axes_now      = inject(mesh_hierarchy, l, sides, axes_now);
           }
         bases.emplace_back(
           level, sides, axes_now, displacements, dirichlet_masks[l]);
@@ -251,6 +249,25 @@ namespace StickSlip
 
 
   template <int dim, int n_components>
+  NodalProlongation
+  ContactSpace<dim, n_components>::prolongation_rows(
+    const unsigned int    level,
+    const JumpBasis<dim> &basis,
+    const NodePartition  &nodes) const
+  {
+    std::vector<types::global_dof_index> wanted;
+    for (unsigned int i = 0; i < nodes.n_local(); ++i)
+      for (const auto &jump : basis.to_jumps(nodes.global_index(i)))
+        if (!nodes.owned().is_element(jump.first))
+          wanted.push_back(jump.first);
+    return NodalProlongation(mesh_hierarchy.prolongation(level),
+                             mesh_hierarchy.level(level).nodes,
+                             make_index_set(nodes.n_global(), wanted));
+  }
+
+
+
+  template <int dim, int n_components>
   void
   ContactSpace<dim, n_components>::set_mapping(Mapping              mapping,
                                                const BlockSparsity &sparsity)
@@ -288,6 +305,8 @@ namespace StickSlip
     for (unsigned int l = n_levels - 1; l > 0; --l)
       {
         LevelDescription<n_components> &fine = descriptions[l];
+        const NodalProlongation         prolongation =
+          prolongation_rows(l, bases[l], fine.nodes);
         fine.to_coarser = std::make_shared<GalerkinProduct<n_components>>(
           fine.nodes,
           *fine_sparsity,
@@ -295,7 +314,7 @@ namespace StickSlip
                      [&](const types::global_dof_index node) {
                        return jump_prolongation(bases[l - 1],
                                                 bases[l],
-                                                mesh_hierarchy.prolongation(l),
+                                                prolongation,
                                                 node);
                      }),
           mesh_hierarchy.level(l - 1).nodes.owned(),

@@ -77,19 +77,25 @@ namespace StickSlip
       return levels.back();
     }
 
-    /**
-     * Nodal values on level @p l of the functions of level l-1, in global
-     * numbers of nodes. The rows of hanging nodes are empty. There are rows for
-     * the owned nodes and those near to them, and for all nodes of cells at the
-     * faults.
-     */
+    /** Nodal values on level @p l of the functions of level l-1, in global
+     * numbers of nodes: the rows of the owned nodes. */
     const NodalProlongation &
     prolongation(const unsigned int l) const;
+
+    /** The places on the side of a fault of level l+1 of the nodes of that of
+     * level @p l, see places_on_finer(). */
+    const std::vector<unsigned int> &
+    places_on_finer(const unsigned int l,
+                    const unsigned int fault,
+                    const unsigned int side) const;
 
   private:
     FaultTopology                  faults;
     std::vector<MeshLevel<dim>>    levels;
     std::vector<NodalProlongation> prolongations;
+    /** Level by level, for both sides of each fault. */
+    std::vector<std::vector<std::array<std::vector<unsigned int>, 2>>>
+      fault_places;
   };
 } // namespace StickSlip
 

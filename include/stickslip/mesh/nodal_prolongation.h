@@ -16,36 +16,32 @@ namespace StickSlip
   class NodalProlongation
   {
   public:
-    NodalProlongation() = default;
-
     /**
-     * The rows of the @p wanted nodes of the level @p fine: the values there of
-     * the basis functions of @p coarse, whose meshes differ by at most one
+     * The rows of the owned nodes of the level @p fine: the values there of the
+     * basis functions of @p coarse, whose meshes differ by at most one
      * refinement of each cell, or are not nested. In the latter case nodes
-     * outside of the coarse cells have the values next to them. Each process
-     * finds the rows of its own nodes, and asks for others. Collective.
+     * outside of the coarse cells have the values next to them. Rows of hanging
+     * nodes are empty.
      */
     template <int dim>
-    NodalProlongation(const MeshLevel<dim> &coarse,
-                      const MeshLevel<dim> &fine,
-                      const IndexSet       &wanted);
+    NodalProlongation(const MeshLevel<dim> &coarse, const MeshLevel<dim> &fine);
 
-    /** The row of a fine node, which must be among the wanted ones. */
+    /** The rows of @p own_rows, which have to stay where they are, and those of
+     * the @p wanted nodes of others, which are asked for them. @p fine: the
+     * owned nodes. Collective. */
+    NodalProlongation(const NodalProlongation &own_rows,
+                      const NodePartition     &fine,
+                      const IndexSet          &wanted);
+
+    /** The row of a fine node, which must be one of those above. */
     GlobalRow
     row(const types::global_dof_index fine_node) const;
 
-    /** The fine nodes that have a row here. */
-    const IndexSet &
-    rows() const
-    {
-      return fine_nodes;
-    }
-
-    /** The coarse nodes in any row here. */
-    IndexSet
-    columns(const types::global_dof_index n_coarse) const;
-
   private:
+    void
+    add_row(const GlobalRow &row);
+
+    const NodalProlongation             *own_rows = nullptr;
     IndexSet                             fine_nodes;
     std::vector<unsigned int>            row_start = {0};
     std::vector<types::global_dof_index> column;

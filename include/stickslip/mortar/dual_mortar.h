@@ -15,7 +15,88 @@
 namespace StickSlip
 {
   /** Column and value of the entries of a row, columns ascending. */
-  using SparseRow = std::vector<std::pair<unsigned int, double>>;
+  struct SparseRow
+  {
+    using Entry = std::pair<unsigned int, double>;
+
+    const Entry *
+    begin() const
+    {
+      return first;
+    }
+
+    const Entry *
+    end() const
+    {
+      return last;
+    }
+
+    std::size_t
+    size() const
+    {
+      return last - first;
+    }
+
+    bool
+    empty() const
+    {
+      return first == last;
+    }
+
+    const Entry &
+    operator[](const std::size_t i) const
+    {
+      return first[i];
+    }
+
+    const Entry *first, *last;
+  };
+
+
+
+  /** Rows one behind the other, in a tenth of the memory of rows by themselves.
+   */
+  class SparseRows
+  {
+  public:
+    std::size_t
+    size() const
+    {
+      return ends.size();
+    }
+
+    SparseRow
+    operator[](const std::size_t row) const
+    {
+      return {entries.data() + (row == 0 ? 0 : ends[row - 1]),
+              entries.data() + ends[row]};
+    }
+
+    /** Append an entry to the row that has been begun. */
+    void
+    add_entry(const unsigned int column, const double value)
+    {
+      entries.emplace_back(column, value);
+    }
+
+    void
+    end_row()
+    {
+      ends.push_back(entries.size());
+    }
+
+    /** There are no more rows. */
+    void
+    close()
+    {
+      entries.shrink_to_fit();
+      ends.shrink_to_fit();
+    }
+
+  private:
+    std::vector<SparseRow::Entry> entries;
+    std::vector<unsigned int>     ends;
+  };
 
   /**
    * The coupling of the two sides of a fault by dual Lagrange multipliers on
@@ -67,10 +148,10 @@ namespace StickSlip
     std::vector<double> averaging_factor;
 
     /** N: columns are positions in the arrays of the master surface. */
-    std::vector<SparseRow> master_rows;
+    SparseRows master_rows;
 
     /** S: columns are positions of inactive nodes on the slave surface. */
-    std::vector<SparseRow> inactive_slave_rows;
+    SparseRows inactive_slave_rows;
 
     /** C: columns are positions in the arrays of the master surface. Empty, not
      * even rows, where both sides are plane. */

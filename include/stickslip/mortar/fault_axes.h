@@ -7,7 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <stickslip/mesh/nodal_prolongation.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/fault_sides.h>
 
 #include <vector>
@@ -113,13 +113,12 @@ namespace StickSlip
                   const FaultTopology           &topology,
                   const std::vector<FaultSides> &sides);
 
-  /** The axes of all faults on a coarser level: those of the fine nodes at the
-   * same places. */
+  /** The axes of all faults on a level from those on the next finer one: those
+   * of the nodes at the same places. */
   template <int dim>
   std::vector<FaultAxes<dim>>
-  inject(const MeshLevel<dim>              &coarse,
-         const MeshLevel<dim>              &fine,
-         const NodalProlongation           &prolongation,
+  inject(const MeshHierarchy<dim>          &meshes,
+         const unsigned int                 level,
          const std::vector<FaultSides>     &sides,
          const std::vector<FaultAxes<dim>> &axes);
 } // namespace StickSlip

@@ -6,7 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <stickslip/mesh/nodal_prolongation.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mortar/fault_sides.h>
 
 #include <vector>
@@ -54,26 +54,13 @@ namespace StickSlip
                              const NodalVector             &displacement);
 
   /**
-   * The places on the surface @p fine of the nodes of the surface @p coarse. A
-   * coarse node is at the place of the fine node whose row of the
-   * @p prolongation is that node alone; if there is none, since meshes are not
-   * nested, at that of the nearest one.
-   */
-  template <int dim>
-  std::vector<unsigned int>
-  fine_places(const FaultSurface<dim> &coarse,
-              const FaultSurface<dim> &fine,
-              const NodalProlongation &prolongation);
-
-  /**
-   * The displacements of all faults on a coarser level: those of the fine nodes
-   * at the same places.
+   * The displacements of all faults on a level from those on the next finer
+   * one: those of the nodes at the same places.
    */
   template <int dim>
   std::vector<FaultDisplacement<dim>>
-  inject(const MeshLevel<dim>                      &coarse,
-         const MeshLevel<dim>                      &fine,
-         const NodalProlongation                   &prolongation,
+  inject(const MeshHierarchy<dim>                  &meshes,
+         const unsigned int                         level,
          const std::vector<FaultSides>             &sides,
          const std::vector<FaultDisplacement<dim>> &displacements);
 } // namespace StickSlip

@@ -148,6 +148,13 @@ namespace StickSlip
                  std::vector<FaultAxes<dim>>           &axes_now,
                  std::vector<FaultDisplacement<dim>>   &displacements) const;
 
+    /** The rows of the prolongation to a level that the local nodes of its jump
+     * basis need, which couple with partners anywhere. Collective. */
+    NodalProlongation
+    prolongation_rows(const unsigned int    level,
+                      const JumpBasis<dim> &basis,
+                      const NodePartition  &nodes) const;
+
     /** Find opening_nodes. */
     void
     find_openings(const std::vector<OpeningParts<dim>> &opening);

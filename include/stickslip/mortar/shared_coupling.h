@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the stickslip authors
+
+#ifndef stickslip_mortar_shared_coupling_h
+#define stickslip_mortar_shared_coupling_h
+
+#include <mpi.h>
+#include <stickslip/mortar/dual_mortar.h>
+
+namespace StickSlip
+{
+  /** Slave nodes of a surface, by their places. */
+  struct SlaveRange
+  {
+    unsigned int begin, end;
+
+    bool
+    contains(const unsigned int node) const
+    {
+      return node >= begin && node < end;
+    }
+  };
+
+
+
+  /**
+   * What build_mortar_coupling() finds for the slave nodes of a @p range, from
+   * the faces around these and their neighbours. What it says of other nodes
+   * means nothing. Areas are those of the faces whose first node is in the
+   * range.
+   */
+  template <int dim>
+  MortarCoupling<dim>
+  couple_slave_nodes(const FaultSurface<dim>       &slave,
+                     const std::vector<Point<dim>> &slave_positions,
+                     const FaultSurface<dim>       &master,
+                     const std::vector<Point<dim>> &master_positions,
+                     const std::vector<bool>       &excluded,
+                     const SlaveRange              &range);
+
+  /**
+   * The coupling that build_mortar_coupling() finds, of which each process
+   * finds an equal part. All of them have the surfaces as a whole, and the
+   * result. Throws AgreedFailure where that function throws. Collective.
+   */
+  template <int dim>
+  MortarCoupling<dim>
+  build_shared_coupling(const FaultSurface<dim>       &slave,
+                        const std::vector<Point<dim>> &slave_positions,
+                        const FaultSurface<dim>       &master,
+                        const std::vector<Point<dim>> &master_positions,
+                        const std::vector<bool>       &excluded,
+                        const MPI_Comm                &communicator);
+} // namespace StickSlip
+
+#endif
