@@ -399,7 +399,9 @@ namespace StickSlip
   BodyMesh<dim>::distribute_dofs()
   {
     number_dofs();
-    if (red_refinements.empty() &&
+    // Bodies that couple patches have no graded shares, and take a step of
+    // conjugate gradients more in the order of trees.
+    if (red_refinements.empty() && !couples_patches &&
         mesh->n_active_cells() > mesh->n_cells(mesh->n_levels() - 1))
       number_by_trees();
     DoFTools::make_hanging_node_constraints(*dofs, constraints);

@@ -64,8 +64,8 @@ namespace StickSlip
       {
         const std::vector<bool> touches_fault =
           vertices_on_sides(*mesh, sides_at_faults);
-        // What touches a fault far away is not known; so one row more than is
-        // needed, where that matters.
+        // Cells far away may touch a fault without knowing it; so one row more
+        // than is needed, where that matters.
         const std::vector<bool> is_needed =
           needed_vertices(*mesh, n_rows() - (steps.at_faults == 0 ? 1 : 0));
         bool any = false;

@@ -24,9 +24,9 @@ namespace StickSlip
 
 
   /**
-   * What build_mortar_coupling() finds for the slave nodes of a @p range, from
-   * the faces around these and their neighbours. What it says of other nodes
-   * means nothing. Areas are those of the faces whose first node is in the
+   * Coupling of the slave nodes of a @p range as build_mortar_coupling() finds
+   * it, from the faces around these and their neighbours. Of other nodes it
+   * says nothing. Areas are those of the faces whose first node is in the
    * range.
    */
   template <int dim>
