@@ -27,7 +27,8 @@ namespace
                          /*opens=*/false,
                          /*opens_in_part=*/false,
                          communicator,
-                         1)
+                         // Units would have too few rows of cells.
+                         250)
     {}
 
     std::vector<NodeLine>
