@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/mortar/shared_coupling.h>
 
 #include <vector>
 
@@ -16,7 +15,7 @@ using namespace StickSlip;
 
 namespace
 {
-  std::vector<SparseRow::Entry>
+  std::vector<PackedRows<unsigned int>::Entry>
   entries(const SparseRow &row)
   {
     return {row.begin(), row.end()};
@@ -40,12 +39,12 @@ namespace
           {
             const SlaveRange range = {n_nodes * i / n_parts,
                                       n_nodes * (i + 1) / n_parts};
-            const auto       part  = couple_slave_nodes(slave.surface,
-                                                 slave.positions,
-                                                 reversed(master.surface),
-                                                 master.positions,
-                                                 excluded,
-                                                 range);
+            const auto       part  = build_mortar_coupling(slave.surface,
+                                                    slave.positions,
+                                                    reversed(master.surface),
+                                                    master.positions,
+                                                    excluded,
+                                                    range);
             covered_area += part.covered_area;
             lost_area += part.lost_area;
             ASSERT_EQ(part.rotation_rows.size(), whole.rotation_rows.size());

@@ -27,8 +27,7 @@ namespace
                          /*opens=*/false,
                          /*opens_in_part=*/false,
                          communicator,
-                         // Units would have too few rows of cells.
-                         250)
+                         1)
     {}
 
     std::vector<NodeLine>

@@ -191,3 +191,19 @@ TEST(ParallelMeshes, EqualThoseOfOneProcess)
     }
   expect_same_meshes<3>({blocks, MPI_COMM_WORLD, 1}, {blocks, MPI_COMM_SELF});
 }
+
+
+
+// Passes at faults refine nothing in a body that has none.
+TEST(ParallelMeshes, EqualThoseOfOneProcessWithoutFaultsAtABody)
+{
+  std::vector<BodyGeometry<2>> bodies = strongly_graded_bodies();
+  bodies.push_back(bodies.front());
+  bodies.back().base = 3.;
+  const FaultTopology pair(
+    {"lower", "upper", "apart"},
+    stack_topology<2>({"lower", "upper"}, {"fault"}).faults());
+  for (const unsigned int min_nodes_per_process : {1, 500})
+    expect_same_meshes<2>({bodies, pair, MPI_COMM_WORLD, min_nodes_per_process},
+                          {bodies, pair, MPI_COMM_SELF});
+}

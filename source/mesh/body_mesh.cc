@@ -10,9 +10,11 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
-#include <stickslip/mesh/leaf_cells.h>
+#include <stickslip/mesh/cell_lines.h>
+#include <stickslip/mesh/hanging_nodes.h>
 #include <stickslip/mesh/partial_mesh.h>
 #include <stickslip/mesh/refined_cells.h>
+#include <stickslip/mesh/tree_order.h>
 #include <stickslip/mesh/vertices_on_sides.h>
 
 #include <algorithm>
@@ -86,24 +88,15 @@ namespace StickSlip
           if (is_on_side[v])
             is_on_side[v] = (where(mesh.get_vertices()[v]) > 0.);
 
-      for (unsigned int row = 1; row < rows; ++row)
-        {
-          const std::vector<bool> is_in_rows_before = is_on_side;
-          for (const auto &cell : mesh.active_cell_iterators())
-            for (const auto v : cell->vertex_indices())
-              if (is_in_rows_before[cell->vertex_index(v)])
-                for (const auto w : cell->vertex_indices())
-                  is_on_side[cell->vertex_index(w)] = true;
-        }
+      mark_rows_around(mesh, std::max(rows, 1u) - 1, is_on_side);
 
       bool any = false;
       for (const auto &cell : mesh.active_cell_iterators())
-        for (const auto v : cell->vertex_indices())
-          if (is_on_side[cell->vertex_index(v)])
-            {
-              cell->set_refine_flag();
-              any = true;
-            }
+        if (has_marked_vertex<dim>(cell, is_on_side))
+          {
+            cell->set_refine_flag();
+            any = true;
+          }
       if (any)
         refine_flagged(mesh);
     }
@@ -213,17 +206,7 @@ namespace StickSlip
     cell_numbers      = std::move(found.cells);
     unit_numbers      = std::make_unique<UnitNumbers>(std::move(found));
     if (steps.at_faults > 0)
-      {
-        AffineConstraints<double> hanging;
-        DoFTools::make_hanging_node_constraints(*dofs, hanging);
-        const std::vector<bool> is_none = hang_on_stand_ins();
-        for (const auto &line : hanging.get_lines())
-          if (!is_none[line.index])
-            {
-              constraints.add_line(line.index);
-              constraints.add_entries(line.index, line.entries);
-            }
-      }
+      add_hanging_nodes(*dofs, real_cells, constraints);
     constraints.close();
     if (couples_patches)
       cell_patches = CellPatches::of_trees(*mesh);
@@ -403,7 +386,7 @@ namespace StickSlip
     // conjugate gradients more in the order of trees.
     if (red_refinements.empty() && !couples_patches &&
         mesh->n_active_cells() > mesh->n_cells(mesh->n_levels() - 1))
-      number_by_trees();
+      cell_numbers = number_by_trees(*dofs);
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
@@ -414,53 +397,6 @@ namespace StickSlip
       cell_patches = red_refinements.empty() ?
                        CellPatches::of_trees(*mesh) :
                        CellPatches::of_equal_parts(*mesh);
-  }
-
-
-
-  template <int dim>
-  void
-  BodyMesh<dim>::number_by_trees()
-  {
-    constexpr types::global_dof_index    none = numbers::invalid_dof_index;
-    std::vector<types::global_dof_index> number(dofs->n_dofs(), none);
-    types::global_dof_index              n_nodes = 0;
-    unsigned int                         n_cells = 0;
-    cell_numbers.resize(mesh->n_active_cells());
-    for_each_leaf(*dofs, [&](const auto &cell) {
-      cell_numbers[cell->active_cell_index()] = n_cells++;
-      for (const auto v : cell->vertex_indices())
-        if (types::global_dof_index &its = number[cell->vertex_dof_index(v, 0)];
-            its == none)
-          its = n_nodes++;
-    });
-    dofs->renumber_dofs(number);
-  }
-
-
-
-  template <int dim>
-  std::vector<bool>
-  BodyMesh<dim>::hang_on_stand_ins() const
-  {
-    std::vector<bool> is_middle(mesh->n_vertices(), false);
-    for (const auto &cell : mesh->active_cell_iterators())
-      if (!is_real(cell))
-        {
-          for (unsigned int l = 0; l < cell->n_lines(); ++l)
-            if (cell->line(l)->has_children())
-              is_middle[cell->line(l)->child(0)->vertex_index(1)] = true;
-          if constexpr (dim == 3)
-            for (const auto &face : cell->face_iterators())
-              if (face->has_children())
-                is_middle[face->child(0)->vertex_index(3)] = true;
-        }
-    const std::vector<types::global_dof_index> dof = dofs_of_vertices();
-    std::vector<bool>                          result(dofs->n_dofs(), false);
-    for (unsigned int v = 0; v < is_middle.size(); ++v)
-      if (is_middle[v])
-        result[dof[v]] = true;
-    return result;
   }
 
 
@@ -481,14 +417,17 @@ namespace StickSlip
   bool
   BodyMesh<dim>::can_have_units(const CoarseBody<dim> &body)
   {
-    // Hanging nodes would have to go back to the middle of their edges, and
-    // patches reach farther than cells.
-    const bool is_simple = body.refinement_rows == 1 && !body.refine_where &&
-                           !body.couples_patches && !has_shapes(*body.cells);
-    return (body.refinement_passes == 0 || is_simple) &&
-           body.refined_cells.empty() && !body.rigid &&
-           body.period.norm() == 0. &&
-           body.cells->all_reference_cells_are_hyper_cube();
+    if (!body.refined_cells.empty() || body.rigid || body.period.norm() > 0. ||
+        !body.cells->all_reference_cells_are_hyper_cube())
+      return false;
+    if (body.refinement_passes == 0)
+      return true;
+    // Hanging nodes would have to go back to the middle of their edges, patches
+    // reach farther than cells, and most cells would be in the few rows of
+    // units at the faults, which would have to be cut where they are lines.
+    return body.refinement_rows == 1 && !body.refine_where &&
+           !has_shapes(*body.cells) && !body.couples_patches &&
+           !has_lines(*body.cells);
   }
 
 

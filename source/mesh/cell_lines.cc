@@ -74,6 +74,18 @@ namespace StickSlip
 
 
   template <int dim>
+  bool
+  has_lines(const Triangulation<dim> &cells)
+  {
+    for (const auto &cell : cells.active_cell_iterators())
+      if (line_axis<dim>(cell) < dim)
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
   std::vector<CellPair>
   neighbouring_cells(const BodyMesh<dim> &body, const bool in_lines)
   {
@@ -155,4 +167,6 @@ namespace StickSlip
   template bool
   is_across_line<3>(const typename Triangulation<3>::active_cell_iterator &,
                     const unsigned int);
+  template decltype(has_lines<2>) has_lines<2>;
+  template decltype(has_lines<3>) has_lines<3>;
 } // namespace StickSlip

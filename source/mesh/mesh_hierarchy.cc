@@ -7,23 +7,19 @@
 #include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/cell_partition.h>
+#include <stickslip/mesh/coarsening.h>
+#include <stickslip/mesh/divided_meshes.h>
 #include <stickslip/mesh/fault_places.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace StickSlip
 {
   namespace
   {
-    template <int dim>
-    using Bodies = std::vector<std::shared_ptr<const BodyMesh<dim>>>;
-
-
-
     /** Cells that are divided between the processes at least, in units of the
      * least number of nodes of a process. So many divide as well as all, and
      * take little of the memory and time of a process. */
@@ -51,7 +47,7 @@ namespace StickSlip
     /** The number of nodes of all bodies. */
     template <int dim>
     std::size_t
-    n_nodes(const Bodies<dim> &bodies)
+    n_nodes(const BodyMeshes<dim> &bodies)
     {
       std::size_t n = 0;
       for (const auto &body : bodies)
@@ -103,109 +99,6 @@ namespace StickSlip
 
 
 
-    /** The smallest size of a face (in three dimensions the root of its area)
-     * on one of these sides, infinite if there is none. Collective. */
-    template <int dim>
-    double
-    smallest_face(const BodyMesh<dim>                &body,
-                  const std::set<types::boundary_id> &sides,
-                  const MPI_Comm                     &communicator)
-    {
-      double smallest = std::numeric_limits<double>::infinity();
-      for (const auto &face : body.triangulation().active_face_iterators())
-        if (face->at_boundary() && sides.count(face->boundary_id()) > 0)
-          smallest =
-            std::min(smallest, std::pow(face->measure(), 1. / (dim - 1)));
-      return Utilities::MPI::min(smallest, communicator);
-    }
-
-
-
-    /** The bodies across the faults of a body. */
-    std::set<unsigned int>
-    neighbours(const FaultTopology &topology, const unsigned int body)
-    {
-      std::set<unsigned int> result;
-      for (const Fault &fault : topology.faults())
-        for (const unsigned int s : {0, 1})
-          for (const BodySide &here : fault.sides[s])
-            if (here.body == body)
-              for (const BodySide &there : fault.sides[1 - s])
-                result.insert(there.body);
-      return result;
-    }
-
-
-
-    template <int dim>
-    bool
-    is_any_refined(const Bodies<dim> &bodies)
-    {
-      return std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
-        return body->can_be_coarsened();
-      });
-    }
-
-
-
-    /** True if there is a coarser level: if a body is refined, or if all of
-     * them have coarser cells than their coarse ones. */
-    template <int dim>
-    bool
-    can_be_coarsened(const Bodies<dim> &bodies)
-    {
-      return is_any_refined<dim>(bodies) ||
-             std::all_of(bodies.begin(), bodies.end(), [](const auto &body) {
-               return body->has_coarser_cells();
-             });
-    }
-
-
-
-    /**
-     * The meshes of the next coarser level. Those that have much larger faces
-     * than a neighbour across a fault are kept until the neighbour is as coarse
-     * or as coarse as it can be. What the nodes of a coarser side do is seen in
-     * the finer body at their distance, and no other level than that one
-     * smoothes it there; through a thin layer they are tied to the nodes of its
-     * other side, which is seen where the layer is a cell thick and they are
-     * all there.
-     */
-    template <int dim>
-    Bodies<dim>
-    coarsened_once(const Bodies<dim>   &bodies,
-                   const FaultTopology &topology,
-                   const MPI_Comm      &communicator)
-    {
-      std::vector<double> face;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        face.push_back(smallest_face<dim>(*bodies[b],
-                                          topology.sides_at_faults(b),
-                                          communicator));
-      const auto can_wait = [&](const unsigned int b) {
-        for (const unsigned int other : neighbours(topology, b))
-          {
-            // If it takes a level more, from four times larger faces on.
-            const bool is_deeper =
-              bodies[other]->n_coarsenings() > bodies[b]->n_coarsenings();
-            const double ratio = is_deeper ? 0.49 : 0.26;
-            if (bodies[other]->can_be_coarsened() &&
-                face[other] < ratio * face[b])
-              return true;
-          }
-        return false;
-      };
-      // Coarser cells are for all bodies, whose sides shall go on to fit.
-      const bool  is_refined = is_any_refined<dim>(bodies);
-      Bodies<dim> coarser    = bodies;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        if (!is_refined || (bodies[b]->can_be_coarsened() && !can_wait(b)))
-          coarser[b] = BodyMesh<dim>::coarsened(*bodies[b]);
-      return coarser;
-    }
-
-
-
     /** The places on the surfaces of a level of the nodes of those of the next
      * coarser one, for both sides of each fault. Collective. */
     template <int dim>
@@ -234,97 +127,6 @@ namespace StickSlip
 
 
 
-    template <int dim>
-    RefinementSteps
-    steps_of(const CoarseBody<dim> &body)
-    {
-      return {body.uniform_refinements, body.refinement_passes};
-    }
-
-
-
-    /** The steps to the units of a body, of which so many are left then if it
-     * has as many. */
-    template <int dim>
-    RefinementSteps
-    steps_to_units(const CoarseBody<dim> &body, const unsigned int depth)
-    {
-      const RefinementSteps steps = steps_of(body);
-      return steps.coarser(std::min(depth, steps.finest()));
-    }
-
-
-
-    /**
-     * The meshes that are divided between the processes, how many steps of
-     * refinement of each body are beyond them, as many as leave @p least_cells
-     * in all, and how many finest cells each of their cells stands for.
-     */
-    template <int dim>
-    struct DividedMeshes
-    {
-      DividedMeshes(const std::vector<CoarseBody<dim>> &coarse_bodies,
-                    const FaultTopology                &topology,
-                    const std::size_t                   least_cells)
-        : meshes(coarse_bodies.size())
-        , depths(coarse_bodies.size(), 0)
-        , n_finest(coarse_bodies.size())
-      {
-        std::size_t               n_other_cells = 0;
-        std::vector<unsigned int> with_units;
-        unsigned int              deepest = 0;
-        for (unsigned int b = 0; b < meshes.size(); ++b)
-          if (BodyMesh<dim>::can_have_units(coarse_bodies[b]))
-            {
-              with_units.push_back(b);
-              deepest = std::max(deepest, steps_of(coarse_bodies[b]).finest());
-            }
-          else
-            {
-              meshes[b] =
-                std::make_shared<BodyMesh<dim>>(coarse_bodies[b],
-                                                topology.sides_at_faults(b));
-              n_finest[b].assign(meshes[b]->n_cells(), 1);
-              n_other_cells += meshes[b]->n_cells();
-            }
-
-        const auto has_enough_cells = [&](const unsigned int depth) {
-          std::size_t n_cells = n_other_cells;
-          for (const unsigned int b : with_units)
-            for (const unsigned int n :
-                 count_finest_cells(*coarse_bodies[b].cells,
-                                    topology.sides_at_faults(b),
-                                    steps_to_units(coarse_bodies[b], depth)))
-              n_cells += n;
-          return n_cells >= least_cells;
-        };
-        unsigned int depth = 0;
-        while (depth < deepest && has_enough_cells(depth + 1))
-          ++depth;
-
-        for (const unsigned int b : with_units)
-          {
-            const RefinementSteps steps = steps_of(coarse_bodies[b]),
-                                  to_units =
-                                    steps_to_units(coarse_bodies[b], depth);
-            depths[b]                = steps.finest() - to_units.finest();
-            CoarseBody<dim> body     = coarse_bodies[b];
-            body.uniform_refinements = to_units.uniform;
-            body.refinement_passes   = to_units.at_faults;
-            const auto sides         = topology.sides_at_faults(b);
-            meshes[b] = std::make_shared<BodyMesh<dim>>(body, sides);
-            n_finest[b] =
-              count_finest_cells(meshes[b]->triangulation(), sides, steps);
-          }
-      }
-
-      Bodies<dim>                            meshes;
-      std::vector<unsigned int>              depths;
-      std::vector<std::vector<unsigned int>> n_finest;
-    };
-
-
-
     /** Numbers of the nodes of all bodies, level by level from the finest
      * down, from the processes of the cells that have been divided. */
     template <int dim>
@@ -332,7 +134,7 @@ namespace StickSlip
     {
     public:
       NodeNumbering(
-        const Bodies<dim> &divided,
+        const BodyMeshes<dim> &divided,
         const std::vector<std::shared_ptr<const std::vector<unsigned int>>>
                           &owners_of_cells,
         const unsigned int n_processes)
@@ -345,9 +147,9 @@ namespace StickSlip
       /** The numbers on the level of @p bodies, which so many processes share;
        * that of @p finer ones came before. */
       std::vector<NodeNumbers>
-      next_level(const Bodies<dim> &bodies,
-                 const Bodies<dim> &finer,
-                 const unsigned int n_sharing)
+      next_level(const BodyMeshes<dim> &bodies,
+                 const BodyMeshes<dim> &finer,
+                 const unsigned int     n_sharing)
       {
         std::vector<NodeNumbers> numbers;
         for (unsigned int i = 0; i < bodies.size(); ++i)
@@ -381,7 +183,7 @@ namespace StickSlip
 
     private:
       /** The meshes whose cells have been divided, until their level. */
-      Bodies<dim> divided;
+      BodyMeshes<dim> divided;
       std::vector<std::shared_ptr<const std::vector<unsigned int>>>
                                              owners_of_cells;
       std::vector<std::vector<unsigned int>> owners_of_vertices;
@@ -468,12 +270,12 @@ namespace StickSlip
       owners_of_cells.push_back(
         std::make_shared<const std::vector<unsigned int>>(std::move(owners)));
 
-    Bodies<dim> meshes = divided.meshes;
+    BodyMeshes<dim> meshes = divided.meshes;
     for (unsigned int i = 0; i < coarse_bodies.size(); ++i)
       if (divided.depths[i] > 0)
         meshes[i] = std::make_shared<BodyMesh<dim>>(divided.meshes[i],
                                                     owners_of_cells[i],
-                                                    steps_of(coarse_bodies[i]),
+                                                    divided.steps[i],
                                                     divided.depths[i],
                                                     communicator);
 
@@ -481,7 +283,7 @@ namespace StickSlip
     // time.
     NodeNumbering<dim> numbering(divided.meshes, owners_of_cells, n_processes);
     divided.meshes.clear();
-    Bodies<dim> finer;
+    BodyMeshes<dim> finer;
     while (true)
       {
         const bool   is_coarsest = !can_be_coarsened<dim>(meshes);

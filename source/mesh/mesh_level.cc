@@ -7,6 +7,7 @@
 #include <stickslip/base/checksum.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/mesh_level.h>
+#include <stickslip/mesh/vertices_on_sides.h>
 
 #include <algorithm>
 #include <iterator>
@@ -347,11 +348,7 @@ namespace StickSlip
         for (const auto &cell : cells)
           is_kept[body][cell->active_cell_index()] =
             is_wanted || bodies[body]->is_rigid() ||
-            std::any_of(cell->vertex_indices().begin(),
-                        cell->vertex_indices().end(),
-                        [&](const unsigned int v) {
-                          return is_on_kept_side[body][cell->vertex_index(v)];
-                        });
+            has_marked_vertex<dim>(cell, is_on_kept_side[body]);
       });
     // No mesh is empty.
     for (unsigned int b = 0; b < bodies.size(); ++b)

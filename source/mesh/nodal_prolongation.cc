@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi_consensus_algorithms.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <stickslip/base/questions.h>
 #include <stickslip/geometry/place_finder.h>
 #include <stickslip/mesh/nodal_prolongation.h>
 
@@ -16,7 +16,7 @@ namespace StickSlip
 {
   namespace
   {
-    /** The process of each node, from how many they own. */
+    /** The end of the nodes that each process owns. */
     std::vector<types::global_dof_index>
     ends_of_owned(const NodePartition &nodes)
     {
@@ -239,13 +239,12 @@ namespace StickSlip
                                        const MeshLevel<dim> &fine)
     : fine_nodes(fine.nodes.owned())
   {
-    std::vector<GlobalRow> rows(fine_nodes.n_elements());
+    std::vector<GlobalRow> found(fine_nodes.n_elements());
     for (unsigned int body = 0; body < fine.bodies.size(); ++body)
-      BodyRows<dim>(coarse, fine, body, fine_nodes, rows).make();
-    for (const GlobalRow &row : rows)
-      add_row(row);
-    column.shrink_to_fit();
-    value.shrink_to_fit();
+      BodyRows<dim>(coarse, fine, body, fine_nodes, found).make();
+    for (const GlobalRow &row : found)
+      rows.add_row(row);
+    rows.close();
   }
 
 
@@ -257,62 +256,35 @@ namespace StickSlip
     , fine_nodes(wanted)
   {
     fine_nodes.subtract_set(fine.owned());
+    using Nodes = std::vector<types::global_dof_index>;
     const std::vector<types::global_dof_index> ends = ends_of_owned(fine);
-    std::map<unsigned int, std::vector<types::global_dof_index>> asked_for;
-    std::vector<unsigned int>                                    owners;
+    std::map<unsigned int, Nodes>              asked_for;
     for (const types::global_dof_index node : fine_nodes)
-      {
-        const unsigned int owner =
-          std::upper_bound(ends.begin(), ends.end(), node) - ends.begin();
-        if (owners.empty() || owners.back() != owner)
-          owners.push_back(owner);
-        asked_for[owner].push_back(node);
-      }
+      asked_for[std::upper_bound(ends.begin(), ends.end(), node) - ends.begin()]
+        .push_back(node);
 
     // A row is its size, and numbers of nodes and values in turn.
-    using Nodes = std::vector<types::global_dof_index>;
-    using Rows  = std::vector<double>;
-    std::map<unsigned int, Rows> answers;
-    Utilities::MPI::ConsensusAlgorithms::selector<Nodes, Rows>(
-      owners,
-      [&](const unsigned int process) { return asked_for[process]; },
-      [&](const unsigned int, const Nodes &nodes) {
-        Rows answer;
-        for (const types::global_dof_index node : nodes)
-          {
-            const GlobalRow its = own_rows.row(node);
-            answer.push_back(its.size());
-            for (const auto &entry : its)
-              answer.insert(answer.end(), {double(entry.first), entry.second});
-          }
-        return answer;
-      },
-      [&](const unsigned int process, const Rows &answer) {
-        answers[process] = answer;
-      },
-      fine.communicator());
-    // Nodes of an owner follow each other.
-    for (const auto &[process, answer] : answers)
-      for (auto next = answer.begin(); next != answer.end();)
+    const auto rows_of = [&](const Nodes &nodes) {
+      std::vector<double> message;
+      for (const types::global_dof_index node : nodes)
         {
-          GlobalRow its;
-          for (unsigned int n = *next++; n > 0; --n, next += 2)
-            its.emplace_back(*next, *(next + 1));
-          add_row(its);
+          const GlobalRow its = own_rows.row(node);
+          message.push_back(its.size());
+          for (const auto &entry : its)
+            message.insert(message.end(), {double(entry.first), entry.second});
         }
-  }
-
-
-
-  void
-  NodalProlongation::add_row(const GlobalRow &row)
-  {
-    for (const auto &entry : row)
-      {
-        column.push_back(entry.first);
-        value.push_back(entry.second);
-      }
-    row_start.push_back(column.size());
+      return message;
+    };
+    // Nodes of an owner follow each other.
+    for (const auto &[process, message] :
+         ask(asked_for, rows_of, fine.communicator()))
+      for (auto next = message.begin(); next != message.end();)
+        {
+          for (unsigned int n = *next++; n > 0; --n, next += 2)
+            rows.add_entry(*next, *(next + 1));
+          rows.end_row();
+        }
+    rows.close();
   }
 
 
@@ -323,12 +295,8 @@ namespace StickSlip
     if (own_rows != nullptr && own_rows->fine_nodes.is_element(fine_node))
       return own_rows->row(fine_node);
     AssertThrow(fine_nodes.is_element(fine_node), ExcInternalError());
-    const auto i = fine_nodes.index_within_set(fine_node);
-    GlobalRow  result;
-    result.reserve(row_start[i + 1] - row_start[i]);
-    for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
-      result.emplace_back(column[k], value[k]);
-    return result;
+    const auto its = rows[fine_nodes.index_within_set(fine_node)];
+    return GlobalRow(its.begin(), its.end());
   }
 
 

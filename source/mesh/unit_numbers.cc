@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi_consensus_algorithms.h>
-
+#include <stickslip/base/questions.h>
 #include <stickslip/mesh/leaf_cells.h>
 #include <stickslip/mesh/unit_numbers.h>
 
@@ -69,13 +68,13 @@ namespace StickSlip
                   owners[first.unit] != me)
                 asked_for.push_back(first);
         });
-        ask(asked_for);
+        learn(asked_for);
         asked_for.clear();
         for_each_real_cell([&](const Cell &, const CellName &name) {
           if (owners[name.unit] != me)
             asked_for.push_back(name);
         });
-        ask(asked_for);
+        learn(asked_for);
         return std::move(result);
       }
 
@@ -219,7 +218,7 @@ namespace StickSlip
 
       /** Learn what the owners of cells know of these and their nodes. */
       void
-      ask(const std::vector<CellName> &names)
+      learn(const std::vector<CellName> &names)
       {
         using Message = std::vector<std::uint64_t>;
         std::map<unsigned int, Message> questions;
@@ -228,52 +227,49 @@ namespace StickSlip
             Message &question = questions[owners[name.unit]];
             question.insert(question.end(), {name.unit, name.path});
           }
-        std::vector<unsigned int> targets;
-        for (const auto &question : questions)
-          targets.push_back(question.first);
+        const auto numbers_of = [&](const Message &question) {
+          Message answer;
+          for_each_named(question, [&](const Cell &cell) {
+            answer.push_back(result.cells[cell->active_cell_index()]);
+            for (const auto v : cell->vertex_indices())
+              {
+                const auto dof = cell->vertex_dof_index(v, 0);
+                answer.insert(answer.end(),
+                              {result.nodes.owner[dof],
+                               result.nodes.serial[dof],
+                               result.nodes.place[dof]});
+              }
+          });
+          return answer;
+        };
+        for (const auto &[process, answer] :
+             ask(questions, numbers_of, share.communicator))
+          {
+            auto next = answer.begin();
+            for_each_named(questions[process], [&](const Cell &cell) {
+              result.cells[cell->active_cell_index()] = *next++;
+              for (const auto v : cell->vertex_indices())
+                {
+                  const auto         dof    = cell->vertex_dof_index(v, 0);
+                  const unsigned int owner  = *next++;
+                  const auto         serial = *next++, place = *next++;
+                  if (serial == numbers::invalid_dof_index)
+                    continue;
+                  result.nodes.owner[dof]  = owner;
+                  result.nodes.serial[dof] = serial;
+                  result.nodes.place[dof]  = place;
+                }
+            });
+          }
+      }
 
-        NodeNumbers &nodes = result.nodes;
-        Utilities::MPI::ConsensusAlgorithms::selector<Message, Message>(
-          targets,
-          [&](const unsigned int process) { return questions[process]; },
-          [&](const unsigned int, const Message &question) {
-            Message answer;
-            for (std::size_t k = 0; k < question.size(); k += 2)
-              {
-                const Cell cell = find({question[k], question[k + 1]});
-                answer.push_back(result.cells[cell->active_cell_index()]);
-                for (const auto v : cell->vertex_indices())
-                  {
-                    const auto dof = cell->vertex_dof_index(v, 0);
-                    answer.insert(answer.end(),
-                                  {nodes.owner[dof],
-                                   nodes.serial[dof],
-                                   nodes.place[dof]});
-                  }
-              }
-            return answer;
-          },
-          [&](const unsigned int process, const Message &answer) {
-            const Message &question = questions[process];
-            std::size_t    a        = 0;
-            for (std::size_t k = 0; k < question.size(); k += 2)
-              {
-                const Cell cell = find({question[k], question[k + 1]});
-                result.cells[cell->active_cell_index()] = answer[a++];
-                for (const auto v : cell->vertex_indices())
-                  {
-                    const auto dof = cell->vertex_dof_index(v, 0);
-                    if (answer[a + 1] != numbers::invalid_dof_index)
-                      {
-                        nodes.owner[dof]  = answer[a];
-                        nodes.serial[dof] = answer[a + 1];
-                        nodes.place[dof]  = answer[a + 2];
-                      }
-                    a += 3;
-                  }
-              }
-          },
-          share.communicator);
+      template <typename Visitor>
+      void
+      for_each_named(const std::vector<std::uint64_t> &names,
+                     const Visitor                    &visit) const
+      {
+        for (std::size_t k = 0; k < names.size(); k += 2)
+          visit(find({names[k], names[k + 1]}));
       }
 
       const UnitRefinement<dim> &share;

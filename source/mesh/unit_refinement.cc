@@ -7,23 +7,6 @@
 
 namespace StickSlip
 {
-  namespace
-  {
-    template <int dim>
-    bool
-    has_marked_vertex(
-      const typename Triangulation<dim>::active_cell_iterator &cell,
-      const std::vector<bool>                                 &marks)
-    {
-      for (const auto v : cell->vertex_indices())
-        if (marks[cell->vertex_index(v)])
-          return true;
-      return false;
-    }
-  } // namespace
-
-
-
   template <int dim>
   std::vector<bool>
   UnitRefinement<dim>::needed_vertices(const Triangulation<dim> &mesh,
@@ -41,14 +24,7 @@ namespace StickSlip
                               for (const auto v : cell->vertex_indices())
                                 result[cell->vertex_index(v)] = true;
                             });
-    for (unsigned int row = 0; row < n_rows; ++row)
-      {
-        const std::vector<bool> before = result;
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (has_marked_vertex<dim>(cell, before))
-            for (const auto v : cell->vertex_indices())
-              result[cell->vertex_index(v)] = true;
-      }
+    mark_rows_around(mesh, n_rows, result);
     return result;
   }
 
@@ -67,7 +43,7 @@ namespace StickSlip
         // Cells far away may touch a fault without knowing it; so one row more
         // than is needed, where that matters.
         const std::vector<bool> is_needed =
-          needed_vertices(*mesh, n_rows() - (steps.at_faults == 0 ? 1 : 0));
+          needed_vertices(*mesh, n_rows() + (steps.at_faults == 0 ? 0 : 1));
         bool any = false;
         for (const auto &cell : mesh->active_cell_iterators())
           if (has_marked_vertex<dim>(cell, is_needed) &&
@@ -91,7 +67,7 @@ namespace StickSlip
   {
     const std::vector<bool> touches_fault =
                               vertices_on_sides(mesh, sides_at_faults),
-                            is_needed = needed_vertices(mesh, n_rows() - 1);
+                            is_needed = needed_vertices(mesh, n_rows());
     std::vector<bool> result(mesh.n_active_cells());
     for (const auto &cell : mesh.active_cell_iterators())
       result[cell->active_cell_index()] =

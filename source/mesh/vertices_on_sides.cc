@@ -22,6 +22,41 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  bool
+  has_marked_vertex(const typename Triangulation<dim>::cell_iterator &cell,
+                    const std::vector<bool>                          &marks)
+  {
+    for (const auto v : cell->vertex_indices())
+      if (marks[cell->vertex_index(v)])
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  mark_rows_around(const Triangulation<dim> &mesh,
+                   const unsigned int        n_rows,
+                   std::vector<bool>        &marks)
+  {
+    for (unsigned int row = 0; row < n_rows; ++row)
+      {
+        const std::vector<bool> before = marks;
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (has_marked_vertex<dim>(cell, before))
+            for (const auto v : cell->vertex_indices())
+              marks[cell->vertex_index(v)] = true;
+      }
+  }
+
+
+
   template decltype(vertices_on_sides<2>) vertices_on_sides<2>;
   template decltype(vertices_on_sides<3>) vertices_on_sides<3>;
+  template decltype(has_marked_vertex<2>) has_marked_vertex<2>;
+  template decltype(has_marked_vertex<3>) has_marked_vertex<3>;
+  template decltype(mark_rows_around<2>)  mark_rows_around<2>;
+  template decltype(mark_rows_around<3>)  mark_rows_around<3>;
 } // namespace StickSlip

@@ -8,7 +8,6 @@
 #include <stickslip/mortar/dual_basis.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/face_overlap.h>
-#include <stickslip/mortar/shared_coupling.h>
 
 #include <cmath>
 #include <limits>
@@ -303,12 +302,9 @@ namespace StickSlip
     FaultSurface<dim>
     faces_around(const FaultSurface<dim> &surface, const SlaveRange &range)
     {
-      if (range.end - range.begin == surface.points.size())
-        return surface;
-      std::vector<bool> is_near(surface.points.size(), false);
-      std::fill(is_near.begin() + range.begin,
-                is_near.begin() + range.end,
-                true);
+      std::vector<bool> is_near;
+      for (unsigned int p = 0; p < surface.points.size(); ++p)
+        is_near.push_back(range.contains(p));
       const auto touches = [&](const unsigned int       face,
                                const std::vector<bool> &nodes) {
         for (unsigned int v = 0; v < surface.n_vertices_of(face); ++v)
@@ -357,7 +353,7 @@ namespace StickSlip
     void
     add_normalised(const std::map<unsigned int, double> &row,
                    const double                          diagonal,
-                   SparseRows                           &rows)
+                   PackedRows<unsigned int>             &rows)
     {
       for (const auto &[column, value] : row)
         if (std::abs(value) > entry_tolerance * diagonal)
@@ -369,31 +365,12 @@ namespace StickSlip
 
   template <int dim>
   MortarCoupling<dim>
-  build_mortar_coupling(const FaultSurface<dim>       &slave,
+  build_mortar_coupling(const FaultSurface<dim>       &whole_slave,
                         const std::vector<Point<dim>> &slave_positions,
                         const FaultSurface<dim>       &master,
                         const std::vector<Point<dim>> &master_positions,
-                        const std::vector<bool>       &excluded)
-  {
-    return couple_slave_nodes(
-      slave,
-      slave_positions,
-      master,
-      master_positions,
-      excluded,
-      {0, static_cast<unsigned int>(slave_positions.size())});
-  }
-
-
-
-  template <int dim>
-  MortarCoupling<dim>
-  couple_slave_nodes(const FaultSurface<dim>       &whole_slave,
-                     const std::vector<Point<dim>> &slave_positions,
-                     const FaultSurface<dim>       &master,
-                     const std::vector<Point<dim>> &master_positions,
-                     const std::vector<bool>       &excluded,
-                     const SlaveRange              &range)
+                        const std::vector<bool>       &excluded,
+                        const SlaveRange              &range)
   {
     const unsigned int n_nodes = slave_positions.size();
     Assert(excluded.empty() || excluded.size() == n_nodes,
@@ -530,20 +507,8 @@ namespace StickSlip
   template struct MortarCoupling<2>;
   template struct MortarCoupling<3>;
 
-  template decltype(couple_slave_nodes<2>) couple_slave_nodes<2>;
-  template decltype(couple_slave_nodes<3>) couple_slave_nodes<3>;
-  template MortarCoupling<2>
-  build_mortar_coupling(const FaultSurface<2> &,
-                        const std::vector<Point<2>> &,
-                        const FaultSurface<2> &,
-                        const std::vector<Point<2>> &,
-                        const std::vector<bool> &);
-  template MortarCoupling<3>
-  build_mortar_coupling(const FaultSurface<3> &,
-                        const std::vector<Point<3>> &,
-                        const FaultSurface<3> &,
-                        const std::vector<Point<3>> &,
-                        const std::vector<bool> &);
+  template decltype(build_mortar_coupling<2>) build_mortar_coupling<2>;
+  template decltype(build_mortar_coupling<3>) build_mortar_coupling<3>;
   template std::vector<double>
   side_gaps(const FaultSurface<2> &,
             const std::vector<Point<2>> &,

@@ -7,7 +7,6 @@
 #include <stickslip/mortar/shared_coupling.h>
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 namespace StickSlip
@@ -66,11 +65,63 @@ namespace StickSlip
 
 
 
+    template <typename Row>
     void
-    add_multiple(GlobalRow &sum, const double factor, const GlobalRow &row)
+    add_multiple(GlobalRow &sum, const double factor, const Row &row)
     {
       for (const auto &entry : row)
         sum.emplace_back(entry.first, factor * entry.second);
+    }
+
+
+
+    bool
+    has_column(const SparseRow &row, const unsigned int column)
+    {
+      return std::any_of(row.begin(), row.end(), [&](const auto &entry) {
+        return entry.first == column;
+      });
+    }
+
+
+
+    /** The partners of the k-th slave node, those of the rotation term among
+     * them. */
+    template <int dim>
+    GlobalRow
+    partners_of(const FaultContact<dim> &contact, const unsigned int k)
+    {
+      const MortarCoupling<dim> &coupling = contact.coupling;
+      GlobalRow                  result;
+      for (const auto &[q, factor] : coupling.master_rows[k])
+        result.emplace_back(contact.master_nodes[q], factor);
+      for (const auto &[q, factor] : coupling.inactive_slave_rows[k])
+        result.emplace_back(contact.slave_nodes[q], factor);
+      if (!coupling.rotation_rows.empty())
+        for (const auto &term : coupling.rotation_rows[k])
+          if (!has_column(coupling.master_rows[k], term.first))
+            result.emplace_back(contact.master_nodes[term.first], least_entry);
+      return result;
+    }
+
+
+
+    /** The rotation term of the k-th slave node, which takes the least entries
+     * back. */
+    template <int dim>
+    std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>>
+    rotation_term_of(const FaultContact<dim> &contact, const unsigned int k)
+    {
+      const MortarCoupling<dim> &coupling = contact.coupling;
+      std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>> result;
+      for (auto [q, matrix] : coupling.rotation_rows[k])
+        {
+          if (!has_column(coupling.master_rows[k], q))
+            for (unsigned int d = 0; d < dim; ++d)
+              matrix[d][d] += least_entry;
+          result.emplace_back(contact.master_nodes[q], matrix);
+        }
+      return result;
     }
   } // namespace
 
@@ -132,51 +183,13 @@ namespace StickSlip
         const FaultContact<dim> &contact = contacts[f];
         active_nodes.push_back(node);
         factors.push_back(contact.coupling.averaging_factor[k]);
-        for (const auto &[partner, weight] : partners(contact, k))
-          {
-            partner_nodes.push_back(partner);
-            partner_weights.push_back(weight);
-          }
-        partners_end.push_back(partner_nodes.size());
+        partners.add_row(partners_of(contact, k));
+        if (!contact.coupling.rotation_rows.empty())
+          rotation_terms[node] = rotation_term_of(contact, k);
         if (!contact.axes.are_those_of_space())
           jump_frames.set(node, contact.axes.at(k));
       }
-    partner_nodes.shrink_to_fit();
-    partner_weights.shrink_to_fit();
-  }
-
-
-
-  template <int dim>
-  GlobalRow
-  JumpBasis<dim>::partners(const FaultContact<dim> &contact,
-                           const unsigned int       k)
-  {
-    const MortarCoupling<dim> &coupling = contact.coupling;
-    GlobalRow                  result;
-    for (const auto &entry : coupling.master_rows[k])
-      result.emplace_back(contact.master_nodes[entry.first], entry.second);
-    for (const auto &entry : coupling.inactive_slave_rows[k])
-      result.emplace_back(contact.slave_nodes[entry.first], entry.second);
-    if (coupling.rotation_rows.empty())
-      return result;
-    std::set<unsigned int> columns;
-    for (const auto &entry : coupling.master_rows[k])
-      columns.insert(entry.first);
-    auto &term = rotation_terms[contact.slave_nodes[k]];
-    for (auto [q, matrix] : coupling.rotation_rows[k])
-      {
-        const auto node = contact.master_nodes[q];
-        if (columns.count(q) == 0)
-          {
-            result.emplace_back(node, least_entry);
-            // The term takes it back.
-            for (unsigned int d = 0; d < dim; ++d)
-              matrix[d][d] += least_entry;
-          }
-        term.emplace_back(node, matrix);
-      }
-    return result;
+    partners.close();
   }
 
 
@@ -205,20 +218,6 @@ namespace StickSlip
 
 
   template <int dim>
-  void
-  JumpBasis<dim>::add_partners(const unsigned int position,
-                               const double       factor,
-                               GlobalRow         &row) const
-  {
-    for (unsigned int k = position == 0 ? 0 : partners_end[position - 1];
-         k < partners_end[position];
-         ++k)
-      row.emplace_back(partner_nodes[k], factor * partner_weights[k]);
-  }
-
-
-
-  template <int dim>
   GlobalRow
   JumpBasis<dim>::to_nodal(const types::global_dof_index node) const
   {
@@ -226,7 +225,7 @@ namespace StickSlip
     if (p == active_nodes.size())
       return {{node, 1.}};
     GlobalRow row = {{node, 1. / factors[p]}};
-    add_partners(p, 1., row);
+    add_multiple(row, 1., partners[p]);
     return row;
   }
 
@@ -240,7 +239,7 @@ namespace StickSlip
     if (p == active_nodes.size())
       return {{node, 1.}};
     GlobalRow row = {{node, factors[p]}};
-    add_partners(p, -factors[p], row);
+    add_multiple(row, -factors[p], partners[p]);
     return row;
   }
 

@@ -25,7 +25,7 @@ namespace StickSlip
 
 
     void
-    read_row(Message::const_iterator &next, SparseRows &rows)
+    read_row(Message::const_iterator &next, PackedRows<unsigned int> &rows)
     {
       for (unsigned int n = *next++; n > 0; --n, next += 2)
         rows.add_entry(*next, *(next + 1));
@@ -114,7 +114,7 @@ namespace StickSlip
 
     MortarCoupling<dim> own;
     carry_out_agreed(communicator, [&]() {
-      own = couple_slave_nodes(
+      own = build_mortar_coupling(
         slave, slave_positions, master, master_positions, excluded, range);
     });
     if (n_processes == 1)

@@ -5,6 +5,7 @@
 
 #include <stickslip/algebra/ghost_numbers.h>
 #include <stickslip/base/make_set.h>
+#include <stickslip/base/questions.h>
 #include <stickslip/multigrid/cut_patches.h>
 #include <stickslip/multigrid/first_free_turns.h>
 
@@ -36,17 +37,19 @@ namespace StickSlip
       std::map<unsigned int, Numbers> wanted;
       for (const unsigned int j : ghosts)
         wanted[owners[j]].push_back(nodes.global_index(j));
-      std::map<unsigned int, std::vector<Numbers>> answers;
-      for (const auto &[rank, numbers] :
-           Utilities::MPI::some_to_some(nodes.communicator(), wanted))
+      // The number of a node, and of those that it couples to.
+      const auto rows_of = [&](const Numbers &numbers) {
+        std::vector<Numbers> answer;
         for (const types::global_dof_index number : numbers)
           {
-            answers[rank].push_back({number});
+            answer.push_back({number});
             for (const unsigned int j : rows[nodes.local_index(number)])
-              answers[rank].back().push_back(nodes.global_index(j));
+              answer.back().push_back(nodes.global_index(j));
           }
+        return answer;
+      };
       for (const auto &[rank, received] :
-           Utilities::MPI::some_to_some(nodes.communicator(), answers))
+           ask(wanted, rows_of, nodes.communicator()))
         for (const Numbers &row : received)
           for (unsigned int k = 1; k < row.size(); ++k)
             if (nodes.is_local(row[k]))

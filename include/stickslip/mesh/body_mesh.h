@@ -253,15 +253,6 @@ namespace StickSlip
     void
     distribute_dofs();
 
-    /** Number degrees of freedom and cells tree by tree. */
-    void
-    number_by_trees();
-
-    /** The degrees of freedom in the middle of faces and edges of cells that
-     * are not real. */
-    std::vector<bool>
-    hang_on_stand_ins() const;
-
     /** Lower end of the body, and its length along periodic axes. */
     std::array<double, dim - 1> lateral_lower;
     Tensor<1, dim - 1>          period;

@@ -30,6 +30,12 @@ namespace StickSlip
   is_across_line(const typename Triangulation<dim>::active_cell_iterator &cell,
                  const unsigned int                                       face);
 
+  /** Return if any of these cells is so flat along an axis, and those that they
+   * are refined into. */
+  template <int dim>
+  bool
+  has_lines(const Triangulation<dim> &cells);
+
   /**
    * Numbers for @p n things, in ascending order of the first of each number,
    * equal for those in the same piece of a line. Things in lines are joined by

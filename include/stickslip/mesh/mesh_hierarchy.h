@@ -16,7 +16,7 @@ namespace StickSlip
    * Owners of nodes follow from one partition of cells of all bodies, see
    * partition_cells(): a node belongs to the least owner of the cells at its
    * place, on each level. These are the finest cells or, where there are many
-   * of one size, coarser ones, below which a process makes only what it needs,
+   * of them, coarser ones, below which a process makes only what it needs,
    * see UnitRefinement. Other meshes are made whole on each process, which
    * keeps of them what MeshLevel::keep_own_cells() says. Levels with few nodes
    * are gathered on fewer processes, the coarsest on one.

@@ -4,6 +4,7 @@
 #ifndef stickslip_mesh_nodal_prolongation_h
 #define stickslip_mesh_nodal_prolongation_h
 
+#include <stickslip/algebra/packed_rows.h>
 #include <stickslip/algebra/transfer_matrix.h>
 #include <stickslip/mesh/mesh_level.h>
 
@@ -38,14 +39,9 @@ namespace StickSlip
     row(const types::global_dof_index fine_node) const;
 
   private:
-    void
-    add_row(const GlobalRow &row);
-
-    const NodalProlongation             *own_rows = nullptr;
-    IndexSet                             fine_nodes;
-    std::vector<unsigned int>            row_start = {0};
-    std::vector<types::global_dof_index> column;
-    std::vector<double>                  value;
+    const NodalProlongation            *own_rows = nullptr;
+    IndexSet                            fine_nodes;
+    PackedRows<types::global_dof_index> rows;
   };
 } // namespace StickSlip
 

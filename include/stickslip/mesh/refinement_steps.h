@@ -6,6 +6,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -53,7 +54,7 @@ namespace StickSlip
 
   /**
    * Numbers of the cells that the steps leave of each active cell of @p mesh.
-   * Those that touch one of the sides @p at_faults are at faults.
+   * Cells that touch one of the sides @p at_faults are at faults.
    */
   template <int dim>
   std::vector<unsigned int>

@@ -67,13 +67,13 @@ namespace StickSlip
     needed_vertices(const Triangulation<dim> &mesh,
                     const unsigned int        n_rows) const;
 
-    /** Rows of cells around the own ones that are needed: those that touch
-     * these, or, where cells differ in size, that couple with them through
-     * hanging nodes, and those that their own nodes hang on. */
+    /** Rows of cells around the own ones that are needed with all around them:
+     * none, or, where cells differ in size, those that couple with own nodes
+     * through hanging ones, and those that nodes of these hang on. */
     unsigned int
     n_rows() const
     {
-      return steps.at_faults == 0 ? 1 : 3;
+      return steps.at_faults == 0 ? 0 : 2;
     }
   };
 } // namespace StickSlip

@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <stickslip/algebra/packed_rows.h>
 #include <stickslip/mesh/fault_surface.h>
 
 #include <utility>
@@ -14,88 +15,19 @@
 
 namespace StickSlip
 {
-  /** Column and value of the entries of a row, columns ascending. */
-  struct SparseRow
+  /** The entries of a row, columns ascending. */
+  using SparseRow = PackedRows<unsigned int>::Row;
+
+  /** Slave nodes of a surface, by their places. */
+  struct SlaveRange
   {
-    using Entry = std::pair<unsigned int, double>;
-
-    const Entry *
-    begin() const
-    {
-      return first;
-    }
-
-    const Entry *
-    end() const
-    {
-      return last;
-    }
-
-    std::size_t
-    size() const
-    {
-      return last - first;
-    }
+    unsigned int begin = 0, end = numbers::invalid_unsigned_int;
 
     bool
-    empty() const
+    contains(const unsigned int node) const
     {
-      return first == last;
+      return node >= begin && node < end;
     }
-
-    const Entry &
-    operator[](const std::size_t i) const
-    {
-      return first[i];
-    }
-
-    const Entry *first, *last;
-  };
-
-
-
-  /** Rows one behind the other, in a tenth of the memory of rows by themselves.
-   */
-  class SparseRows
-  {
-  public:
-    std::size_t
-    size() const
-    {
-      return ends.size();
-    }
-
-    SparseRow
-    operator[](const std::size_t row) const
-    {
-      return {entries.data() + (row == 0 ? 0 : ends[row - 1]),
-              entries.data() + ends[row]};
-    }
-
-    /** Append an entry to the row that has been begun. */
-    void
-    add_entry(const unsigned int column, const double value)
-    {
-      entries.emplace_back(column, value);
-    }
-
-    void
-    end_row()
-    {
-      ends.push_back(entries.size());
-    }
-
-    /** There are no more rows. */
-    void
-    close()
-    {
-      entries.shrink_to_fit();
-      ends.shrink_to_fit();
-    }
-
-  private:
-    std::vector<SparseRow::Entry> entries;
-    std::vector<unsigned int>     ends;
   };
 
   /**
@@ -148,10 +80,10 @@ namespace StickSlip
     std::vector<double> averaging_factor;
 
     /** N: columns are positions in the arrays of the master surface. */
-    SparseRows master_rows;
+    PackedRows<unsigned int> master_rows;
 
     /** S: columns are positions of inactive nodes on the slave surface. */
-    SparseRows inactive_slave_rows;
+    PackedRows<unsigned int> inactive_slave_rows;
 
     /** C: columns are positions in the arrays of the master surface. Empty, not
      * even rows, where both sides are plane. */
@@ -209,6 +141,10 @@ namespace StickSlip
    *
    * The surfaces may be apart: then covered_area is zero. Throws ExcMessage
    * as compute_face_overlap() does.
+   *
+   * If a @p range of slave nodes is given, only their coupling is found, from
+   * the faces around them and their neighbours. Of other nodes the result says
+   * nothing, and areas are those of the faces whose first node is in the range.
    */
   template <int dim>
   MortarCoupling<dim>
@@ -216,7 +152,8 @@ namespace StickSlip
                         const std::vector<Point<dim>> &slave_positions,
                         const FaultSurface<dim>       &master,
                         const std::vector<Point<dim>> &master_positions,
-                        const std::vector<bool>       &excluded = {});
+                        const std::vector<bool>       &excluded = {},
+                        const SlaveRange              &range    = {});
 
   /**
    * The means of the gap between two curved sides over the dual functions of

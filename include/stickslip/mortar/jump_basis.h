@@ -137,32 +137,19 @@ namespace StickSlip
     owned_contact_nodes(const NodePartition &nodes) const;
 
   private:
-    /** Partners of an active slave node, whose weighted values are the other
-     * side of the jump. */
-    GlobalRow
-    partners(const FaultContact<dim> &contact, const unsigned int k);
-
     /** The position among the active nodes, or their number for any other
      * node. */
     unsigned int
     position(const types::global_dof_index node) const;
 
-    /** Add a multiple of the partners of the active node at a position. */
-    void
-    add_partners(const unsigned int position,
-                 const double       factor,
-                 GlobalRow         &row) const;
-
     std::vector<FaultContact<dim>>       contacts;
     NodeFrames<dim>                      jump_frames;
     std::vector<types::global_dof_index> active_nodes;
 
-    /** For each active slave node its averaging factor, and the end of its
-     * partners in the arrays of all. */
-    std::vector<double>                  factors;
-    std::vector<unsigned int>            partners_end;
-    std::vector<types::global_dof_index> partner_nodes;
-    std::vector<double>                  partner_weights;
+    /** For each active slave node its averaging factor and the partners whose
+     * weighted values are the other side of the jump. */
+    std::vector<double>                 factors;
+    PackedRows<types::global_dof_index> partners;
 
     /** Terms at nodes of curved faults. */
     std::map<types::global_dof_index,

@@ -9,35 +9,6 @@
 
 namespace StickSlip
 {
-  /** Slave nodes of a surface, by their places. */
-  struct SlaveRange
-  {
-    unsigned int begin, end;
-
-    bool
-    contains(const unsigned int node) const
-    {
-      return node >= begin && node < end;
-    }
-  };
-
-
-
-  /**
-   * Coupling of the slave nodes of a @p range as build_mortar_coupling() finds
-   * it, from the faces around these and their neighbours. Of other nodes it
-   * says nothing. Areas are those of the faces whose first node is in the
-   * range.
-   */
-  template <int dim>
-  MortarCoupling<dim>
-  couple_slave_nodes(const FaultSurface<dim>       &slave,
-                     const std::vector<Point<dim>> &slave_positions,
-                     const FaultSurface<dim>       &master,
-                     const std::vector<Point<dim>> &master_positions,
-                     const std::vector<bool>       &excluded,
-                     const SlaveRange              &range);
-
   /**
    * The coupling that build_mortar_coupling() finds, of which each process
    * finds an equal part. All of them have the surfaces as a whole, and the
