@@ -95,12 +95,12 @@ namespace StickSlip::Reference
   {
   public:
     /** Two bodies with one fault; @p given has the prescribed velocities. */
-    CondensedNewton(const MeshLevel<2>    &level,
-                    const FaultContact<2> &contact,
-                    const BlockMatrix<2>  &A,
-                    const NodalVector     &f,
-                    const NodeMask        &dirichlet,
-                    const NodalVector     &given)
+    CondensedNewton(const MeshLevel<2>   &level,
+                    const JumpBasis<2>   &basis,
+                    const BlockMatrix<2> &A,
+                    const NodalVector    &f,
+                    const NodeMask       &dirichlet,
+                    const NodalVector    &given)
       : n_entries(f.size())
     {
       NodeMask active = dirichlet;
@@ -109,20 +109,12 @@ namespace StickSlip::Reference
           active.mask_node(level.node(b, line.index));
 
       // The rows of G: one for the jump of each active slave node.
-      const auto &coupling = contact.coupling;
+      const FaultContact<2> &contact = basis.faults().front();
       for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
-        if (coupling.active[k])
+        if (contact.coupling.active[k])
           {
-            std::vector<std::pair<unsigned int, double>> row;
-            const double factor = coupling.averaging_factor[k];
-            row.emplace_back(contact.slave_nodes[k], factor);
-            for (const auto &entry : coupling.master_rows[k])
-              row.emplace_back(contact.master_nodes[entry.first],
-                               -factor * entry.second);
-            for (const auto &entry : coupling.inactive_slave_rows[k])
-              row.emplace_back(contact.slave_nodes[entry.first],
-                               -factor * entry.second);
-            jump_rows.push_back(row);
+            const GlobalRow row = basis.to_jumps(contact.slave_nodes[k]);
+            jump_rows.emplace_back(row.begin(), row.end());
             slave_nodes.push_back(contact.slave_nodes[k]);
           }
       factorise(A, active);

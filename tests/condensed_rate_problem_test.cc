@@ -115,7 +115,7 @@ namespace
     const unsigned int finest = simulation.meshes().n_levels() - 1;
     const Reference::CondensedNewton newton(
       level,
-      contact,
+      problem.jump_basis(),
       A,
       f,
       problem.boundary_values().dirichlet_mask(finest),

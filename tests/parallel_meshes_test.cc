@@ -138,9 +138,6 @@ namespace
                   EXPECT_EQ(here.points[k], there.points[k]);
                 }
             }
-        EXPECT_EQ(ours.strip().n_elements(), one.strip().n_elements());
-        for (const types::global_dof_index node : ours.strip())
-          EXPECT_TRUE(one.strip().is_element(numbers[node]));
         if (l > 0)
           for (const types::global_dof_index node : ours.nodes.owned())
             {

@@ -46,19 +46,6 @@ namespace StickSlip
 
 
 
-  NodeMask
-  NodeMask::local_part(const NodePartition &nodes) const
-  {
-    NodeMask result(nodes.n_local(), components);
-    for (unsigned int i = 0; i < nodes.n_local(); ++i)
-      for (unsigned int c = 0; c < components; ++c)
-        if (!is_active(nodes.global_index(i), c))
-          result.mask(i, c);
-    return result;
-  }
-
-
-
   void
   NodeMask::update_ghosts(const NodePartition &nodes)
   {

@@ -50,30 +50,6 @@ namespace StickSlip
         if (axes[d][c] != 0.)
           load.local_element(node * n_components + d) += axes[d][c] * force;
     }
-
-
-
-    /** Let all processes know what is masked in the strip along the faults, of
-     * which each has the cells around its own nodes. Collective. */
-    template <int dim>
-    void
-    share_at_faults(const MeshLevel<dim> &level, NodeMask &mask)
-    {
-      const unsigned int n_components = level.nodes.n_components();
-      if (Utilities::MPI::n_mpi_processes(level.nodes.communicator()) == 1)
-        return;
-      std::vector<unsigned int> is_masked;
-      is_masked.reserve(level.strip().n_elements() * n_components);
-      for (const types::global_dof_index node : level.strip())
-        for (unsigned int c = 0; c < n_components; ++c)
-          is_masked.push_back(!mask.is_active(node, c));
-      Utilities::MPI::max(is_masked, level.nodes.communicator(), is_masked);
-      auto next = is_masked.begin();
-      for (const types::global_dof_index node : level.strip())
-        for (unsigned int c = 0; c < n_components; ++c)
-          if (*next++ && mask.is_active(node, c))
-            mask.mask(node, c);
-    }
   } // namespace
 
 
@@ -283,27 +259,34 @@ namespace StickSlip
   BoundaryValues<dim, n_components>::dirichlet_mask(const unsigned int l) const
   {
     const MeshLevel<dim> &level = meshes.level(l);
-    NodeMask              mask(level.n_nodes(), n_components);
+    NodeMask              mask(level.nodes.n_owned(), n_components);
+    const auto            mask_owned = [&](const types::global_dof_index node,
+                                const unsigned int            c) {
+      if (!level.nodes.owned().is_element(node))
+        return;
+      if (const unsigned int i = level.nodes.local_index(node);
+          mask.is_active(i, c))
+        mask.mask(i, c);
+    };
     for (unsigned int b = 0; b < level.bodies.size(); ++b)
       if (level.bodies[b]->is_rigid())
         for (types::global_dof_index dof = 0;
              dof < level.bodies[b]->dof_handler().n_dofs();
              ++dof)
-          mask.mask_node(level.global_node(b, dof));
+          for (unsigned int c = 0; c < n_components; ++c)
+            mask_owned(level.global_node(b, dof), c);
     const auto turned_nodes = find_turned_nodes(l);
     for (const auto &[node, turned] : turned_nodes)
       for (unsigned int k = 0; k < turned.constraint.size(); ++k)
-        if (mask.is_active(node, n_components - 1 - k))
-          mask.mask(node, n_components - 1 - k);
+        mask_owned(node, n_components - 1 - k);
     for (const Side &side : sides)
       for (const auto dof :
            level.bodies[side.body]->dofs_on_side(side.condition.side))
         for (unsigned int c = 0; c < n_components; ++c)
           if (is_prescribed(side.condition.type[c]))
             if (const auto node = level.global_node(side.body, dof);
-                mask.is_active(node, c) && turned_nodes.count(node) == 0)
-              mask.mask(node, c);
-    share_at_faults(level, mask);
+                turned_nodes.count(node) == 0)
+              mask_owned(node, c);
     return mask;
   }
 

@@ -124,7 +124,6 @@ namespace StickSlip
             throw InputError("A side of the fault '" + fault.name +
                              "' has no faces.");
       }
-    strip_nodes = find_strip(topology, communicator);
     nodes =
       NodePartition(owned, find_ghosts(owned), n_components, communicator);
   }
@@ -152,41 +151,6 @@ namespace StickSlip
                                 is_owned);
         });
     return make_index_set(n_nodes(), ghosts);
-  }
-
-
-
-  template <int dim>
-  IndexSet
-  MeshLevel<dim>::find_strip(const FaultTopology &topology,
-                             const MPI_Comm      &communicator) const
-  {
-    std::vector<std::set<types::boundary_id>> sides;
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      sides.push_back(topology.sides_at_faults(b));
-    std::vector<types::global_dof_index> strip;
-    for_each_patch(*this,
-                   [&](const unsigned int                          body,
-                       const auto                                 &cells,
-                       const std::vector<types::global_dof_index> &its_nodes) {
-                     for (const auto &cell : cells)
-                       if (cell->at_boundary())
-                         for (const auto &face : cell->face_iterators())
-                           if (face->at_boundary() &&
-                               sides[body].count(face->boundary_id()) > 0)
-                             strip.insert(strip.end(),
-                                          its_nodes.begin(),
-                                          its_nodes.end());
-                   });
-    IndexSet result = make_index_set(n_nodes(), strip);
-    if (std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
-          return body->numbers_in_units() != nullptr;
-        }))
-      for (const IndexSet &its :
-           Utilities::MPI::all_gather(communicator, IndexSet(result)))
-        result.add_indices(its);
-    result.compress();
-    return result;
   }
 
 

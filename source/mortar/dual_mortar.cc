@@ -364,6 +364,17 @@ namespace StickSlip
 
 
   template <int dim>
+  void
+  MortarCoupling<dim>::forget_rows()
+  {
+    master_rows         = {};
+    inactive_slave_rows = {};
+    rotation_rows       = {};
+  }
+
+
+
+  template <int dim>
   MortarCoupling<dim>
   build_mortar_coupling(const FaultSurface<dim>       &whole_slave,
                         const std::vector<Point<dim>> &slave_positions,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
 #include <stickslip/mortar/crosspoints.h>
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/mortar/moved_surface.h>
@@ -61,6 +63,22 @@ namespace StickSlip
                                         master_positions,
                                         excluded,
                                         communicator);
+    }
+
+
+
+    /** True at some nodes where their owners mask a component. Collective. */
+    std::vector<bool>
+    where_masked(const NodeMask                             &mask,
+                 const NodePartition                        &partition,
+                 const std::vector<types::global_dof_index> &nodes)
+    {
+      std::vector<unsigned int> is_masked;
+      for (const types::global_dof_index node : nodes)
+        is_masked.push_back(partition.owned().is_element(node) &&
+                            !mask.is_fully_active(partition.local_index(node)));
+      Utilities::MPI::max(is_masked, partition.communicator(), is_masked);
+      return {is_masked.begin(), is_masked.end()};
     }
 
 
@@ -153,11 +171,13 @@ namespace StickSlip
           std::min(face_sizes(contact.slave_surface).second,
                    face_sizes(master).second);
 
-        std::vector<bool> excluded;
-        for (const auto p : contact.slave_nodes)
-          excluded.push_back(
-            !dirichlet.is_fully_active(p) ||
-            std::binary_search(crossings.begin(), crossings.end(), p));
+        std::vector<bool> excluded =
+          where_masked(dirichlet, level.nodes, contact.slave_nodes);
+        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+          if (std::binary_search(crossings.begin(),
+                                 crossings.end(),
+                                 contact.slave_nodes[k]))
+            excluded[k] = true;
         contact.is_bent =
           !contact.slave_surface.is_plane() || !master.is_plane();
         contact.coupling = couple(contact.slave_surface,
@@ -190,6 +210,8 @@ namespace StickSlip
           jump_frames.set(node, contact.axes.at(k));
       }
     partners.close();
+    for (FaultContact<dim> &contact : contacts)
+      contact.coupling.forget_rows();
   }
 
 

@@ -5,6 +5,7 @@
 
 #include <stickslip/algebra/index_set.h>
 #include <stickslip/base/agreed_failure.h>
+#include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/make_set.h>
 #include <stickslip/problem/contact_space.h>
@@ -342,6 +343,8 @@ namespace StickSlip
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
     largest_gaps = std::move(mapping.gaps);
+    if (finest.nodes.nodes()->n_mpi_processes() > 1)
+      give_back_freed_memory();
   }
 
 
@@ -359,12 +362,12 @@ namespace StickSlip
         level.nonsmooth_nodes = bases[l].owned_contact_nodes(level.nodes);
         level.fixed =
           fixed_components(mesh_hierarchy.level(l),
+                           level.nodes,
                            dirichlet_masks[l],
                            bases[l],
                            prescribed_slip ? prescribed_slip->nodes(l) :
                                              no_nodes,
-                           opening_nodes[l])
-            .local_part(level.nodes);
+                           opening_nodes[l]);
       }
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_map>
 
 namespace StickSlip
 {
@@ -234,33 +235,29 @@ namespace StickSlip
     std::vector<double>   distances;
     for (unsigned int f = 0; f < basis.faults().size(); ++f)
       {
-        const FaultContact<dim>   &contact   = basis.faults()[f];
-        const MortarCoupling<dim> &coupling  = contact.coupling;
-        const auto                 positions = [&](const unsigned int side) {
-          const FaultSurface<dim>    &surface = level.surface(f, side);
-          std::vector<Tensor<1, dim>> result =
-            gather_displacements<dim>(displacement, level.nodes, surface.nodes);
-          for (unsigned int k = 0; k < result.size(); ++k)
-            result[k] += surface.points[k];
-          return result;
-        };
-        const std::vector<Tensor<1, dim>> slave =
-                                            positions(contact.sides.slave),
-                                          master =
-                                            positions(contact.sides.master);
-        for (unsigned int k = 0; k < slave.size(); ++k)
+        const FaultContact<dim> &contact = basis.faults()[f];
+        std::unordered_map<types::global_dof_index, Point<dim>> positions;
+        for (const unsigned int side : {0, 1})
+          {
+            const FaultSurface<dim> &surface = level.surface(f, side);
+            const auto               u = gather_displacements<dim>(displacement,
+                                                     level.nodes,
+                                                     surface.nodes);
+            for (unsigned int k = 0; k < u.size(); ++k)
+              positions[surface.nodes[k]] = surface.points[k] + u[k];
+          }
+        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
           {
             distances.push_back(0.);
-            if (!coupling.active[k])
+            if (!contact.coupling.active[k])
               continue;
-            Tensor<1, dim> jump = slave[k];
-            for (const auto &[q, factor] : coupling.master_rows[k])
-              jump -= factor * master[q];
-            for (const auto &[q, factor] : coupling.inactive_slave_rows[k])
-              jump -= factor * slave[q];
-            distances.back() = contact.sides.sign() *
-                               coupling.averaging_factor[k] *
-                               (contact.axes.normal(k) * jump);
+            // Entries of the row sum to zero.
+            const types::global_dof_index node = contact.slave_nodes[k];
+            Tensor<1, dim>                jump;
+            for (const auto &[partner, factor] : basis.to_jumps(node))
+              jump += factor * (positions.at(partner) - positions.at(node));
+            distances.back() =
+              contact.sides.sign() * (contact.axes.normal(k) * jump);
           }
       }
     return distances;

@@ -77,11 +77,6 @@ namespace StickSlip
     unsigned int
     n_masked(const unsigned int n) const;
 
-    /** The mask of the local nodes of @p nodes, from this one, which is over
-     * the global numbers of all. */
-    NodeMask
-    local_part(const NodePartition &nodes) const;
-
     /** Fetch the ghosts' part from their owners. Collective among
      * neighbours. */
     void

@@ -44,10 +44,8 @@ namespace StickSlip
                    const std::vector<BoundaryCondition<dim>> &conditions,
                    const std::vector<std::string>            &body_names);
 
-    /** The components on level @p l whose velocity is prescribed, over the
-     * global numbers of all nodes, and along the axes of frames(). On several
-     * processes those of nodes near the faults and of one's own cells.
-     * Collective. */
+    /** The components of the owned nodes of level @p l whose velocity is
+     * prescribed, along the axes of frames(). */
     NodeMask
     dirichlet_mask(const unsigned int l) const;
 

@@ -50,8 +50,8 @@ namespace StickSlip
 
     /** Keep the patches that touch an owned node, the cells that touch a side
      * which every process needs as a whole, rigid bodies, and a cell of each
-     * other; forget the others and their nodes. Surfaces and strip go on to be
-     * those of all faults. */
+     * other; forget the others and their nodes. Surfaces go on to be those of
+     * all faults. */
     void
     keep_own_cells();
 
@@ -115,21 +115,9 @@ namespace StickSlip
     const FaultSurface<dim> &
     surface(const unsigned int fault, const unsigned int side) const;
 
-    /** Global numbers of the nodes of all patches at faults, those to which
-     * hanging ones are bound. */
-    const IndexSet &
-    strip() const
-    {
-      return strip_nodes;
-    }
-
   private:
     IndexSet
     find_ghosts(const IndexSet &owned) const;
-
-    IndexSet
-    find_strip(const FaultTopology &topology,
-               const MPI_Comm      &communicator) const;
 
     FaultSurface<dim>
     join(const std::vector<BodySide> &parts,
@@ -151,7 +139,6 @@ namespace StickSlip
       first_serial_cell;
     /** First and second side of each fault. */
     std::vector<std::array<FaultSurface<dim>, 2>> surfaces;
-    IndexSet                                      strip_nodes;
   };
 } // namespace StickSlip
 

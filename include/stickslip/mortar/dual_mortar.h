@@ -102,6 +102,10 @@ namespace StickSlip
      * a dual basis (see DualBasis::pivot_tolerance).
      */
     double lost_area = 0.;
+
+    /** Forget the rows, of which a jump basis has its own. */
+    void
+    forget_rows();
   };
 
   /**

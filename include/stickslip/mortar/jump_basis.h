@@ -17,7 +17,8 @@ namespace StickSlip
 {
   /**
    * One fault on one level: the global numbers of the nodes on both sides, in
-   * the order of the surfaces, and their coupling.
+   * the order of the surfaces, and their coupling without its rows, which are
+   * those of the basis.
    */
   template <int dim>
   struct FaultContact
@@ -83,7 +84,9 @@ namespace StickSlip
      * @param displacements One entry a fault, which is coupled as it is after
      *   these.
      * @param dirichlet Nodes with a component masked here are no contact
-     *   nodes; over the global numbers of the level.
+     *   nodes; at least over the owned nodes of the level.
+     *
+     * Collective.
      */
     JumpBasis(const MeshLevel<dim>                      &level,
               const std::vector<FaultSides>             &sides,

@@ -24,15 +24,17 @@ namespace StickSlip
     std::function<std::vector<bool>(const std::vector<Point<dim>> &)>;
 
   /**
-   * The components that never take part: those that @p dirichlet masks, those
-   * of hanging nodes, the jumps at the nodes @p prescribed_slip, and the normal
+   * The components of @p nodes, with the ghosts of the jump basis, that never
+   * take part: those that @p dirichlet masks among the owned ones, those of
+   * hanging nodes, the jumps at the nodes @p prescribed_slip, and the normal
    * jumps, which are zero, but for those of the nodes @p opening (both
-   * ascending). Over the global numbers of all nodes. Where the only component
-   * is that out of the plane, there is no normal one.
+   * ascending, by their global numbers). Where the only component is that out
+   * of the plane, there is no normal one. Collective among neighbours.
    */
   template <int dim>
   NodeMask
   fixed_components(const MeshLevel<dim>                       &level,
+                   const NodePartition                        &nodes,
                    const NodeMask                             &dirichlet,
                    const JumpBasis<dim>                       &basis,
                    const std::vector<types::global_dof_index> &prescribed_slip,

@@ -159,7 +159,8 @@ namespace StickSlip
     void
     find_openings(const std::vector<OpeningParts<dim>> &opening);
 
-    /** Set masks and nonsmooth nodes of all levels. */
+    /** Set masks and nonsmooth nodes of all levels. Collective among
+     * neighbours. */
     void
     describe(std::vector<LevelDescription<n_components>> &levels,
              const std::vector<JumpBasis<dim>>           &bases) const;
