@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/algebra/block_matrix.h>
+#include <stickslip/base/large_pages.h>
 #include <stickslip/base/make_set.h>
 
 #include <algorithm>
@@ -76,8 +77,11 @@ namespace StickSlip
   BlockMatrix<n_components, Number>::BlockMatrix(
     const std::shared_ptr<const BlockSparsity> &sparsity)
     : pattern(sparsity)
-    , entries(sparsity->n_entries() * block_size)
-  {}
+  {
+    const std::size_t n = sparsity->n_entries() * block_size;
+    reserve_on_large_pages(n, entries);
+    entries.resize(n);
+  }
 
 
 

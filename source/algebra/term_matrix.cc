@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <stickslip/algebra/term_matrix.h>
+#include <stickslip/base/large_pages.h>
 
 #include <algorithm>
 
@@ -56,8 +57,10 @@ namespace StickSlip
       result.upper_start.push_back(result.upper_start.back() +
                                    sparsity.row_start[i + 1] -
                                    sparsity.diagonal[i]);
-    result.upper.resize_fast(std::size_t(result.upper_start.back()) *
-                             block_size);
+    const std::size_t n_upper =
+      std::size_t(result.upper_start.back()) * block_size;
+    reserve_on_large_pages(n_upper, result.upper);
+    result.upper.resize_fast(n_upper);
     result.mirror.reserve(sparsity.n_entries() - result.upper_start.back());
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
       {

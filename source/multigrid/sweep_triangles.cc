@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <stickslip/base/large_pages.h>
 #include <stickslip/multigrid/sweep_triangles.h>
 
 #include <algorithm>
@@ -51,8 +52,12 @@ namespace StickSlip
         first_above.push_back(sparsity->row_start[i + 1] - n_above);
       }
     for (Part *part : {&lower, &upper})
-      part->values.resize(std::size_t(part->row_start.back()) * block_size +
-                          Kernels::sweep_padding);
+      {
+        const std::size_t n = std::size_t(part->row_start.back()) * block_size +
+                              Kernels::sweep_padding;
+        reserve_on_large_pages(n, part->values);
+        part->values.resize(n);
+      }
   }
 
 
