@@ -299,6 +299,36 @@ TYPED_TEST(TurnedBlocks, TransfersEqualDenseMatrices)
 
 
 
+/* Long rows of nodes that stay as they are, short ones and single ones, with
+ * nodes among them that have axes of their own, or none. */
+TYPED_TEST(TurnedBlocks, TransfersThatCopyNodesEqualDenseMatrices)
+{
+  constexpr int n = TestFixture::n_components;
+  for (const bool are_turned : {false, true})
+    {
+      RandomProblem<n> problem;
+      problem.n_coarse = 50;
+      for (unsigned int i = 0; i < problem.n_fine; ++i)
+        if (i < 12)
+          problem.rows[i] = {{i + 9, 1.}};
+        else if (i < 20 && i != 14)
+          problem.rows[i] = {{i + 24, 1.}};
+        else if (i >= 22 && i < 38)
+          problem.rows[i] = {{i - 15, 1.}};
+      problem.P = serial_matrix(problem.rows, problem.n_coarse, n);
+      if (are_turned)
+        {
+          problem.fine_frames.set(32, random_axes<n>(problem.generator));
+          for (const unsigned int node : {18, 45})
+            problem.coarse_frames.set(node, random_axes<n>(problem.generator));
+        }
+      compare_with_dense_transfer<n, double>(problem);
+      compare_with_dense_transfer<n, float>(problem);
+    }
+}
+
+
+
 TYPED_TEST(TurnedBlocks, ProductsEqualDenseOnes)
 {
   constexpr int n = TestFixture::n_components;

@@ -59,11 +59,10 @@ namespace
     LevelHierarchy<dim> &hierarchy = scene.problem.hierarchy();
     NodeMask             active    = hierarchy.finest().fixed;
     for (const auto &contact : scene.problem.jump_basis().faults())
-      for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
-        if (contact.slave_surface.points[k][0] < 0. &&
-            contact.coupling.active[k])
+      for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
+        if (contact.slave.points[k][0] < 0. && contact.coupling.active[k])
           active.mask_node(
-            hierarchy.finest().nodes.local_index(contact.slave_nodes[k]));
+            hierarchy.finest().nodes.local_index(contact.slave.nodes[k]));
     NodalVector w = scene.problem.make_vector();
     return solve_linear(
       scene.problem, {0., 0., 1.}, active, scene.problem.load(0.), w, 1e-8);

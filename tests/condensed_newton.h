@@ -110,12 +110,12 @@ namespace StickSlip::Reference
 
       // The rows of G: one for the jump of each active slave node.
       const FaultContact<2> &contact = basis.faults().front();
-      for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+      for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
         if (contact.coupling.active[k])
           {
-            const GlobalRow row = basis.to_jumps(contact.slave_nodes[k]);
+            const GlobalRow row = basis.to_jumps(contact.slave.nodes[k]);
             jump_rows.emplace_back(row.begin(), row.end());
-            slave_nodes.push_back(contact.slave_nodes[k]);
+            slave_nodes.push_back(contact.slave.nodes[k]);
           }
       factorise(A, active);
 

@@ -113,7 +113,7 @@ namespace
     {
       const SteppingScene scene(creeping_bodies, overrides);
       laws   = scene.laws;
-      points = scene.problem.jump_basis().faults()[0].slave_surface.points;
+      points = scene.problem.jump_basis().faults()[0].slave.points;
     }
 
     double

@@ -17,7 +17,7 @@ namespace
   std::vector<Point<2>>
   fault_nodes_of(const SteppingScene &scene)
   {
-    return scene.problem.jump_basis().faults()[0].slave_surface.points;
+    return scene.problem.jump_basis().faults()[0].slave.points;
   }
 
 

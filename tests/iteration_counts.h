@@ -58,18 +58,18 @@ namespace StickSlip::Tests
     std::vector<double>        weights(level.nonsmooth_nodes.size()),
       places(level.nonsmooth_nodes.size());
     for (const FaultContact<2> &fault : problem.jump_basis().faults())
-      for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
+      for (unsigned int k = 0; k < fault.slave.nodes.size(); ++k)
         {
           const auto term =
             std::lower_bound(level.nonsmooth_nodes.begin(),
                              level.nonsmooth_nodes.end(),
-                             level.nodes.local_index(fault.slave_nodes[k]));
+                             level.nodes.local_index(fault.slave.nodes[k]));
           if (term == level.nonsmooth_nodes.end() ||
-              *term != level.nodes.local_index(fault.slave_nodes[k]))
+              *term != level.nodes.local_index(fault.slave.nodes[k]))
             continue;
           const unsigned int position = term - level.nonsmooth_nodes.begin();
           weights[position]           = fault.coupling.weight[k];
-          places[position]            = place(fault.slave_surface.points[k]);
+          places[position]            = place(fault.slave.points[k]);
         }
 
     std::vector<unsigned int> result;

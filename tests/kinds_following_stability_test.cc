@@ -104,7 +104,7 @@ namespace
     for (unsigned int p = 0; p < state.slip_rate.size(); ++p)
       {
         const Complex phase =
-          slip * std::exp(Complex(0., k * fault.slave_surface.points[p][0]));
+          slip * std::exp(Complex(0., k * fault.slave.points[p][0]));
         state.slip[p][0]      = sign * phase.real();
         state.slip_rate[p][0] = sign * (theory.slip_rate + (s * phase).real());
         state.contact_pressure[p] = (Complex(0., 1.) * phase * normal).real();
@@ -118,7 +118,7 @@ namespace
   amplitude(const SteppingScene &scene, const double k)
   {
     const FaultContact<2> &fault  = scene.problem.jump_basis().faults().front();
-    const auto            &points = fault.slave_surface.points;
+    const auto            &points = fault.slave.points;
     const double           sign   = fault.sides.sign();
     Complex                sum    = 0;
     for (unsigned int p = 0; p < points.size(); ++p)

@@ -112,12 +112,12 @@ namespace StickSlip::Tests
       std::vector<double>          weights, states;
       for (const unsigned int node : finest.nonsmooth_nodes)
         {
-          const unsigned int k = std::find(contact.slave_nodes.begin(),
-                                           contact.slave_nodes.end(),
+          const unsigned int k = std::find(contact.slave.nodes.begin(),
+                                           contact.slave.nodes.end(),
                                            finest.nodes.global_index(node)) -
-                                 contact.slave_nodes.begin();
+                                 contact.slave.nodes.begin();
           weights.push_back(contact.coupling.weight[k]);
-          states.push_back(alpha(contact.slave_surface.points[k][0], k));
+          states.push_back(alpha(contact.slave.points[k][0], k));
         }
       return make_friction<dim>(
         kind, finest.nonsmooth_nodes, weights, normal_stress, states);

@@ -17,10 +17,7 @@ using namespace StickSlip;
 namespace
 {
   template <int dim>
-  using Bodies = std::vector<std::shared_ptr<const BodyMesh<dim>>>;
-
-  template <int dim>
-  Bodies<dim>
+  BodyMeshes<dim>
   meshes(const std::vector<BodyGeometry<dim>> &bodies)
   {
     return MeshHierarchy<dim>(stack<dim>(bodies), MPI_COMM_WORLD)
@@ -32,7 +29,7 @@ namespace
 
   /** Cells ten times as tall as wide, and seven times above the fault, halved
    * so many times: 1,870, 4,420 and 11,560 cells in 8, 12 and 20 rows. */
-  Bodies<2>
+  BodyMeshes<2>
   tall_cells(const unsigned int times)
   {
     return meshes<2>(halved<2>({make_body<2>(1., {{100, 2}}, 2),
@@ -46,11 +43,11 @@ namespace
   template <int dim>
   struct Parts
   {
-    const Bodies<dim>                     &bodies;
+    const BodyMeshes<dim>                 &bodies;
     unsigned int                           n_parts;
     std::vector<std::vector<unsigned int>> owners;
 
-    Parts(const Bodies<dim> &bodies, const unsigned int n_parts)
+    Parts(const BodyMeshes<dim> &bodies, const unsigned int n_parts)
       : bodies(bodies)
       , n_parts(n_parts)
       , owners(partition_cells<dim>(bodies,
@@ -124,7 +121,7 @@ TEST(MeshLinePartition, RowsOfTallCellsAreWhole)
 {
   for (const unsigned int times : {0, 1, 2})
     {
-      const Bodies<2> bodies = tall_cells(times);
+      const BodyMeshes<2> bodies = tall_cells(times);
       for (const unsigned int n_parts : {2, 3, 4})
         {
           const Parts<2> parts(bodies, n_parts);
@@ -144,7 +141,7 @@ TEST(MeshLinePartition, RowsOfTallCellsAreWhole)
 TEST(MeshLinePartition, RowsThatAreTooFewAreCutIntoFewPieces)
 {
   // Two rows of 2,000 cells each.
-  const Bodies<2> bodies = meshes<2>(
+  const BodyMeshes<2> bodies = meshes<2>(
     {make_body<2>(1., {{2000, 1}}, 0), make_body<2>(1., {{2000, 1}}, 0)});
   for (const unsigned int n_parts : {3, 4, 8})
     {
@@ -162,7 +159,7 @@ TEST(MeshLinePartition, RowsThatAreTooFewAreCutIntoFewPieces)
 
 TEST(MeshLinePartition, StacksOfFlatCellsAreWhole)
 {
-  const Bodies<3> bodies = meshes<3>(
+  const BodyMeshes<3> bodies = meshes<3>(
     {make_body<3>(1., {{5, 5, 10}}, 1), make_body<3>(1., {{6, 6, 10}}, 0)});
   for (const unsigned int n_parts : {2, 3, 4})
     {
@@ -179,7 +176,7 @@ TEST(MeshLinePartition, StacksOfFlatCellsAreWhole)
 TEST(MeshLinePartition, StacksGoOnBehindFaults)
 {
   // 100 stacks of 32 cells through both bodies.
-  const Bodies<3> bodies = meshes<3>(
+  const BodyMeshes<3> bodies = meshes<3>(
     {make_body<3>(1., {{10, 10, 16}}, 0), make_body<3>(1., {{10, 10, 16}}, 0)});
   for (const unsigned int n_parts : {2, 3, 8, 16})
     {
@@ -224,7 +221,7 @@ TEST(MeshLinePartition, LinesAreWhereCellsAreFlatAlongOneAxis)
   std::vector<BodyGeometry<2>> graded = {make_body<2>(1., {{100, 2}}, 1),
                                          make_body<2>(1., {{100, 2}}, 0)};
   graded[0].refine_where.set("0.01 - x");
-  const Bodies<2>                      bodies = meshes<2>(graded);
+  const BodyMeshes<2>                  bodies = meshes<2>(graded);
   std::map<unsigned int, unsigned int> sizes;
   const auto pairs = neighbouring_cells(*bodies[0], /*in_lines=*/true);
   for (const unsigned int piece : pieces_of_lines(

@@ -18,9 +18,6 @@ using namespace StickSlip;
 
 namespace
 {
-  template <int dim>
-  using Bodies = std::vector<std::shared_ptr<const BodyMesh<dim>>>;
-
   /** A cell by its body and its active cell index. */
   using Cell      = std::pair<unsigned int, unsigned int>;
   using CellPairs = std::vector<std::pair<Cell, Cell>>;
@@ -30,7 +27,7 @@ namespace
 
 
   template <int dim>
-  Bodies<dim>
+  BodyMeshes<dim>
   meshes(const std::vector<BodyGeometry<dim>> &bodies)
   {
     return MeshHierarchy<dim>(bodies, MPI_COMM_WORLD).finest().bodies;
@@ -41,7 +38,7 @@ namespace
   /** The parts of the cells of a stack. */
   template <int dim>
   std::vector<std::vector<unsigned int>>
-  parts_of(const Bodies<dim> &bodies, const unsigned int n_parts)
+  parts_of(const BodyMeshes<dim> &bodies, const unsigned int n_parts)
   {
     return partition_cells<dim>(bodies,
                                 numbered_stack<dim>(bodies.size()),
@@ -52,7 +49,7 @@ namespace
 
   template <int dim>
   unsigned int
-  n_cells(const Bodies<dim> &bodies)
+  n_cells(const BodyMeshes<dim> &bodies)
   {
     unsigned int n = 0;
     for (const auto &body : bodies)
@@ -64,10 +61,10 @@ namespace
 
   /** The scenes with more than 1,000 cells: up to 15,000. */
   template <int dim>
-  std::vector<Bodies<dim>>
+  std::vector<BodyMeshes<dim>>
   large_meshes()
   {
-    std::vector<Bodies<dim>> result;
+    std::vector<BodyMeshes<dim>> result;
     for (const auto &bodies : scenes<dim>())
       for (const unsigned int times : {1, 2})
         {
@@ -83,7 +80,7 @@ namespace
   /** Each two cells of a body that share a face or part of one. */
   template <int dim>
   CellPairs
-  face_neighbours(const Bodies<dim> &bodies)
+  face_neighbours(const BodyMeshes<dim> &bodies)
   {
     CellPairs pairs;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -106,9 +103,9 @@ namespace
   /** The cells at a height, and the least and largest lateral coordinates. */
   template <int dim>
   std::vector<std::pair<Cell, std::pair<Point<dim>, Point<dim>>>>
-  cells_at_height(const Bodies<dim> &bodies,
-                  const unsigned int b,
-                  const double       height)
+  cells_at_height(const BodyMeshes<dim> &bodies,
+                  const unsigned int     b,
+                  const double           height)
   {
     std::vector<std::pair<Cell, std::pair<Point<dim>, Point<dim>>>> result;
     for (const auto &cell : bodies[b]->triangulation().active_cell_iterators())
@@ -127,7 +124,7 @@ namespace
   /** Each two cells that face each other across a fault. */
   template <int dim>
   CellPairs
-  opposing_cells(const Bodies<dim> &bodies)
+  opposing_cells(const BodyMeshes<dim> &bodies)
   {
     CellPairs pairs;
     for (unsigned int b = 1; b < bodies.size(); ++b)
@@ -219,7 +216,7 @@ namespace
   void
   expect_equal_parts()
   {
-    for (const Bodies<dim> &bodies : large_meshes<dim>())
+    for (const BodyMeshes<dim> &bodies : large_meshes<dim>())
       for (const unsigned int n_parts : numbers_of_parts)
         {
           const auto owners = parts_of<dim>(bodies, n_parts);
@@ -239,7 +236,7 @@ namespace
   void
   expect_opposing_cells_together()
   {
-    for (const Bodies<dim> &bodies : large_meshes<dim>())
+    for (const BodyMeshes<dim> &bodies : large_meshes<dim>())
       {
         const CellPairs pairs = opposing_cells<dim>(bodies);
         ASSERT_GT(pairs.size(), 100u);
@@ -260,7 +257,7 @@ namespace
   void
   expect_compact_parts()
   {
-    for (const Bodies<dim> &bodies : large_meshes<dim>())
+    for (const BodyMeshes<dim> &bodies : large_meshes<dim>())
       {
         const CellPairs in_bodies  = face_neighbours<dim>(bodies);
         CellPairs       neighbours = opposing_cells<dim>(bodies);
@@ -313,8 +310,8 @@ namespace
         const MeshHierarchy<dim> hierarchy(geometries, MPI_COMM_WORLD);
         for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
           {
-            const Bodies<dim> &bodies = hierarchy.level(l).bodies;
-            const auto         owners = parts_of<dim>(bodies, 5);
+            const BodyMeshes<dim> &bodies = hierarchy.level(l).bodies;
+            const auto             owners = parts_of<dim>(bodies, 5);
             for (unsigned int b = 0; b < bodies.size(); ++b)
               {
                 const Triangulation<dim> &mesh = bodies[b]->triangulation();

@@ -177,9 +177,8 @@ TEST(OpeningBonds, BreakInARow)
      "Boundary conditions/body right/Ramp length=0",
      "Boundary conditions/body right/y value=if(t < 2, 0.01, -0.01)",
      "Gravity/Acceleration=9.81"});
-  const auto &points =
-    scene.problem.jump_basis().faults().front().slave_surface.points;
-  double       front = 2.1, most = 0., missing = 0.;
+  const auto &points = scene.problem.jump_basis().faults().front().slave.points;
+  double      front = 2.1, most = 0., missing = 0.;
   unsigned int n_breaks = 0;
   scene.energy->start(scene.state);
   const double tau = 0.02;

@@ -74,13 +74,13 @@ namespace StickSlip::Tests
       std::map<types::global_dof_index, std::pair<unsigned int, unsigned int>>
         places;
       for (unsigned int f = 0; f < faults.size(); ++f)
-        for (unsigned int k = 0; k < faults[f].slave_nodes.size(); ++k)
-          places[faults[f].slave_nodes[k]] = {f, k};
+        for (unsigned int k = 0; k < faults[f].slave.nodes.size(); ++k)
+          places[faults[f].slave.nodes[k]] = {f, k};
       for (const unsigned int node : finest.nonsmooth_nodes)
         {
           const auto [f, k] = places.at(finest.nodes.global_index(node));
           action(node,
-                 faults[f].slave_surface.points[k],
+                 faults[f].slave.points[k],
                  f,
                  faults[f].coupling.weight[k],
                  int(faults[f].sides.sign()));

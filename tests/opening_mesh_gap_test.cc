@@ -131,9 +131,8 @@ end
   error_of_gaps(const Gap &gap, const unsigned int n)
   {
     OpeningScene<2> scene(scene_apart(gap, n));
-    const auto     &points =
-      scene.problem.jump_basis().faults()[0].slave_surface.points;
-    double error = 0.;
+    const auto &points = scene.problem.jump_basis().faults()[0].slave.points;
+    double      error  = 0.;
     for (unsigned int k = 0; k < points.size(); ++k)
       if (std::abs(points[k][0]) < 0.9)
         error =

@@ -106,8 +106,7 @@ TEST(OpeningRegions, ACrackBetweenWeldedPartsOpensAsGriffithSays)
   // The last nodes that open are a cell's size inside of the tips, which are
   // where the sides first hold together; in a plate without end.
   const double a = 0.5, depth = 4. * (1. - 0.25 * 0.25) * traction * a / 1e9;
-  const auto  &points =
-    scene.problem.jump_basis().faults().front().slave_surface.points;
+  const auto &points = scene.problem.jump_basis().faults().front().slave.points;
   unsigned int n_open = 0;
   for (unsigned int k = 0; k < points.size(); ++k)
     {
@@ -210,7 +209,7 @@ end
   on_circle(const OpeningScene<2> &scene, const double shift)
   {
     const auto &points =
-      scene.problem.jump_basis().faults().front().slave_surface.points;
+      scene.problem.jump_basis().faults().front().slave.points;
     std::map<long, std::pair<double, double>> result;
     for (unsigned int k = 0; k < points.size(); ++k)
       {

@@ -74,7 +74,7 @@ end
     {
       std::map<double, unsigned int> order;
       const auto                    &points =
-        scene.problem.jump_basis().faults().front().slave_surface.points;
+        scene.problem.jump_basis().faults().front().slave.points;
       for (unsigned int k = 0; k < points.size(); ++k)
         if (scene.faults.in_contact(k))
           order[points[k][0]] = k;

@@ -201,12 +201,22 @@ TEST(TimeSeries, HasTheGapsOfFaultsThatBend)
 
 
 
-TEST(TimeSeries, RowsReachTheFileAtOnce)
+TEST(TimeSeries, RowsReachTheFileInTheEnd)
 {
   const TemporaryFolder folder;
   TimeSeries<3>         series(folder.file("a.csv"), faults_named({"main"}));
+  const auto            n_rows = [&]() {
+    return split(content_of(folder.file("a.csv")), '\n').size();
+  };
+  EXPECT_EQ(n_rows(), 1u);
   series.add(StepRecord(), {known_fault()});
-  EXPECT_EQ(split(content_of(folder.file("a.csv")), '\n').size(), 2u);
+  // A checkpoint goes on behind all rows.
+  const auto size = series.state().size;
+  EXPECT_EQ(size, content_of(folder.file("a.csv")).size());
+  EXPECT_EQ(n_rows(), 2u);
+  series.add(StepRecord(), {known_fault()});
+  series.finish();
+  EXPECT_EQ(n_rows(), 3u);
   EXPECT_THROW(TimeSeries<3>(folder.file("no/a.csv"), {}), InputError);
 }
 

@@ -35,8 +35,8 @@ namespace
               {{2, BodyMesh<dim>::lower_side}}}}}})
       , sides(1)
     {
-      std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
-      std::vector<NodeNumbers>                          numbers;
+      BodyMeshes<dim>          bodies;
+      std::vector<NodeNumbers> numbers;
       const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
       for (unsigned int b = 0; b < 3; ++b)
         {

@@ -98,7 +98,7 @@ end
         ASSERT_TRUE(step.converged) << step.failure;
       }
     const auto &points =
-      scene.problem.jump_basis().faults().front().slave_surface.points;
+      scene.problem.jump_basis().faults().front().slave.points;
     double load = 0.;
     for (unsigned int k = 0; k < points.size(); ++k)
       if (scene.faults.in_contact(k))

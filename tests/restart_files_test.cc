@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <stickslip/base/checksum.h>
+#include <stickslip/base/input_error.h>
 #include <stickslip/output/file_state.h>
 #include <stickslip/output/folder_lock.h>
 #include <stickslip/output/interrupt.h>
 #include <stickslip/output/table_file.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -86,6 +88,86 @@ TEST(TableFile, GoesOnBehindACompleteRow)
 
 
 
+/* Rows that come fast wait for each other, no longer than a tenth of a second
+ * behind the next one. */
+TEST(TableFile, GathersRows)
+{
+  const TemporaryFolder folder;
+  const std::string     name = folder.file("table.csv");
+  std::string           expected;
+  {
+    TableFile  file(name);
+    const auto add = [&](const unsigned int i) {
+      file << i << ',' << 0.5 * i;
+      file.end_waiting_row();
+      std::ostringstream row;
+      row << i << ',' << 0.5 * i << '\n';
+      expected += row.str();
+    };
+    add(0);
+    // The first row waits for nothing.
+    EXPECT_EQ(content_of(name), expected);
+    for (unsigned int i = 1; i <= 100; ++i)
+      add(i);
+    const std::string some = content_of(name);
+    EXPECT_EQ(some.back(), '\n');
+    EXPECT_EQ(expected.compare(0, some.size(), some), 0);
+    EXPECT_EQ(file.state().size, expected.size());
+    EXPECT_EQ(content_of(name), expected);
+    add(101);
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    add(102);
+    EXPECT_EQ(content_of(name), expected);
+    add(103);
+    file << "no whole row";
+  }
+  EXPECT_EQ(content_of(name), expected);
+}
+
+
+
+/* In a child, since the limit is that of a process. */
+TEST(TableFile, KeepsTheRowsForWhichThereIsSpace)
+{
+  const TemporaryFolder folder;
+  const std::string     name  = folder.file("table.csv");
+  const pid_t           child = fork();
+  if (child == 0)
+    {
+      signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit = {1000, 1000};
+      setrlimit(RLIMIT_FSIZE, &limit);
+      TableFile file(name);
+      file << "123456";
+      file.end_row();
+      std::string message;
+      try
+        {
+          for (unsigned int i = 0; i < 300; ++i)
+            {
+              file << "123456";
+              file.end_waiting_row();
+            }
+          file.write_waiting_rows();
+        }
+      catch (const InputError &error)
+        {
+          message = error.what();
+        }
+      _exit(message.find("cannot be written (File too large)") ==
+            std::string::npos);
+    }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  std::string expected;
+  for (unsigned int i = 0; i < 1000 / 7; ++i)
+    expected += "123456\n";
+  EXPECT_EQ(content_of(name), expected);
+}
+
+
+
 /* A stream of 17 digits is what they have been written with before. */
 TEST(TableFile, WritesNumbersAsAStreamDoes)
 {
@@ -140,8 +222,6 @@ TEST(TableFile, MissesItsFolder)
   file << "a,b";
   file.end_row();
   std::filesystem::rename(folder.file("results"), folder.file("elsewhere"));
-  // Names are looked up no more often than this.
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
   file << 1;
   expect_one_sentence_with(message_of([&]() { file.end_row(); }),
                            {name, "it is not there any more"});

@@ -7,6 +7,7 @@
 #include <stickslip/algebra/galerkin_product.h>
 #include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/mesh/nodal_normals.h>
+#include <stickslip/mortar/excluded_nodes.h>
 #include <stickslip/mortar/jump_basis.h>
 
 namespace StickSlip::Tests
@@ -133,7 +134,7 @@ namespace StickSlip::Tests
                           gather_fault_displacements(level,
                                                      sides,
                                                      level.nodes.make_vector()),
-                          dirichlet);
+                          excluded_nodes(level, sides, dirichlet));
   }
 } // namespace StickSlip::Tests
 

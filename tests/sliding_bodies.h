@@ -55,21 +55,21 @@ namespace StickSlip::Tests
     for (const FaultContact<dim> &fault : scene.problem.jump_basis().faults())
       {
         double left = std::numeric_limits<double>::max();
-        for (const Point<dim> &point : fault.slave_surface.points)
+        for (const Point<dim> &point : fault.slave.points)
           left = std::min(left, point[0]);
-        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
-          if (finest.nodes.owned().is_element(fault.slave_nodes[k]))
+        for (unsigned int k = 0; k < fault.slave.nodes.size(); ++k)
+          if (finest.nodes.owned().is_element(fault.slave.nodes[k]))
             {
               const unsigned int node =
-                finest.nodes.local_index(fault.slave_nodes[k]);
+                finest.nodes.local_index(fault.slave.nodes[k]);
               const auto place =
                 std::lower_bound(finest.nonsmooth_nodes.begin(),
                                  finest.nonsmooth_nodes.end(),
                                  node);
               if (place == finest.nonsmooth_nodes.end() || *place != node)
                 continue;
-              const double x = fault.slave_surface.points[k][0] - left;
-              const double y = fault.slave_surface.points[k][dim - 1];
+              const double x = fault.slave.points[k][0] - left;
+              const double y = fault.slave.points[k][dim - 1];
               if (std::sin(7. * x + y) > 0.2)
                 active.mask(node, 0);
               else

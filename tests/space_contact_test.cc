@@ -151,7 +151,7 @@ TEST(Contact, NoJumpUnknownsMeanNoNormalJump)
               for (unsigned int k = 0; k < integrals.size(); ++k)
                 EXPECT_NEAR(integrals[k],
                             fault.coupling.weight[k] *
-                              w.local_element(fault.slave_nodes[k] * 2 +
+                              w.local_element(fault.slave.nodes[k] * 2 +
                                               component),
                             1e-15);
             }
@@ -181,10 +181,10 @@ TEST(Contact, NodesSlidOffTheEndCarryNothing)
         EXPECT_NEAR(sum(coupling.weight), overlap, 1e-12);
 
         unsigned int n_off = 0, n_active = 0;
-        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < fault.slave.nodes.size(); ++k)
           {
             const bool   upper = fault.sides.slave_is_second();
-            const double x     = fault.slave_surface.points[k][0];
+            const double x     = fault.slave.points[k][0];
             // The place on the other side opposite to the node.
             const double opposite = x + (upper ? distance : -distance);
             n_active += coupling.active[k];
@@ -201,11 +201,11 @@ TEST(Contact, NodesSlidOffTheEndCarryNothing)
               }
             EXPECT_EQ(std::binary_search(basis.contact_nodes().begin(),
                                          basis.contact_nodes().end(),
-                                         fault.slave_nodes[k]),
+                                         fault.slave.nodes[k]),
                       coupling.active[k]);
             // Off contact the unknowns are nodal values that nothing fixes.
             EXPECT_EQ(scene.problem.hierarchy().finest().fixed.is_active(
-                        fault.slave_nodes[k], 1),
+                        fault.slave.nodes[k], 1),
                       !coupling.active[k]);
           }
         EXPECT_GT(n_off, 7u);
@@ -263,7 +263,7 @@ TEST(Contact, ForcesCarryTheWeightAbove)
                   coupling.weight[k] * equilibrium.contact_pressure[node];
                 force += of_node;
                 moment += sign * of_node *
-                          lever.local_element(faults[f].slave_nodes[k] * 2 + 1);
+                          lever.local_element(faults[f].slave.nodes[k] * 2 + 1);
               }
             EXPECT_NEAR(force / weight, 1., 1e-10)
               << "fault " << f << " of " << faults.size() << ", slid "

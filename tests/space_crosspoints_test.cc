@@ -37,8 +37,8 @@ namespace
     {
       const std::array<std::array<double, 3>, 3> places = {
         {{{-2.5, 2.5, 0.}}, {{-2.5, 0.5, 1.}}, {{0.5, 2.5, 1.}}}};
-      std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
-      std::vector<NodeNumbers>                          numbers;
+      BodyMeshes<dim>          bodies;
+      std::vector<NodeNumbers> numbers;
       for (unsigned int b = 0; b < 3; ++b)
         {
           std::array<unsigned int, dim> cells;

@@ -99,13 +99,13 @@ namespace
       force = w;
       problem.to_jumps(w, u);
       NodeMask active = problem.hierarchy().finest().fixed;
-      for (unsigned int k = 0; k < fault().slave_nodes.size(); ++k)
+      for (unsigned int k = 0; k < fault().slave.nodes.size(); ++k)
         if (fault().coupling.active[k])
           {
-            const unsigned int p = fault().slave_nodes[k];
+            const unsigned int p = fault().slave.nodes[k];
             for (unsigned int c = 0; c < 2; ++c)
               w.local_element(p * 2 + c) = 0.;
-            if (is_stuck(fault().slave_surface.points[k]))
+            if (is_stuck(fault().slave.points[k]))
               active.mask_node(p);
           }
       const unsigned int iterations = solve_linear(
@@ -156,7 +156,7 @@ namespace
       Tensor<1, 2> components;
       for (unsigned int c = 0; c < 2; ++c)
         components[c] = fault().sides.sign() / fault().coupling.weight[k] *
-                        force.local_element(fault().slave_nodes[k] * 2 + c);
+                        force.local_element(fault().slave.nodes[k] * 2 + c);
       return fault().axes.are_those_of_space() ?
                components :
                fault().axes.at(k) * components;
@@ -230,10 +230,10 @@ namespace
                     linear);
     held.solve(1e-12, everywhere);
     Errors errors = {held.displacement_error(), held.energy_error(), 0.};
-    for (unsigned int k = 0; k < held.fault().slave_nodes.size(); ++k)
+    for (unsigned int k = 0; k < held.fault().slave.nodes.size(); ++k)
       if (held.fault().coupling.active[k])
         {
-          const Point<2> &x = held.fault().slave_surface.points[k];
+          const Point<2> &x = held.fault().slave.points[k];
           Tensor<1, 2>    normal(
             {-0.1 * numbers::PI * std::cos(2. * numbers::PI * x[0]), 1.});
           normal /= normal.norm();
@@ -324,8 +324,8 @@ TEST(CurvedFault, RotationsHaveNoJump)
           two_rings({{0.5, 1., 2.}}, n[0], n[1], 4, of_triangles);
         const TurnedRings held(rings.smooth(1), rings.topology);
         const auto       &problem = held.scene.problem;
-        ASSERT_EQ(std::max(held.fault().slave_nodes.size(),
-                           held.fault().master_nodes.size()),
+        ASSERT_EQ(std::max(held.fault().slave.nodes.size(),
+                           held.fault().master.nodes.size()),
                   80u);
         // Both bodies, then the inner one alone: it slips and does not open.
         for (const bool both : {true, false})
@@ -370,9 +370,9 @@ TEST(CurvedFault, TractionBetweenRingsIsUniform)
                          rings.topology);
         held.solve(1e-12, everywhere);
         double least = 1e300, most = 0.;
-        for (unsigned int k = 0; k < held.fault().slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < held.fault().slave.nodes.size(); ++k)
           {
-            const Point<2> x = held.fault().slave_surface.points[k];
+            const Point<2> x = held.fault().slave.points[k];
             const double   tau =
               std::abs(held.traction(k) * Tensor<1, 2>({-x[1], x[0]})) /
               x.norm();

@@ -103,7 +103,7 @@ namespace
         contact_pressures(basis, hierarchy.finest().nodes, reaction);
       unsigned int k = 0;
       for (const FaultContact<dim> &contact : basis.faults())
-        for (const Point<dim> &point : contact.slave_surface.points)
+        for (const Point<dim> &point : contact.slave.points)
           {
             slip[place(point, is_laid_down)] = contact.sides.sign() * jumps[k];
             pressure[place(point, is_laid_down)] = pressures[k++];

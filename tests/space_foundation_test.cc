@@ -119,7 +119,7 @@ namespace
          level.bodies[1]->triangulation().active_cell_iterators())
       volume += cell->measure();
     double normal = 0, shear = 0;
-    for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+    for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
       {
         normal +=
           contact.coupling.weight[k] * on_foundation.contact_pressure[k];

@@ -159,10 +159,10 @@ namespace
             // Held ends have no jump, and the mean next to them is smaller.
             if (*std::min_element(all.begin(), all.end()) < 1. - 1e-10)
               continue;
-            for (const unsigned int p : fault.slave_nodes)
+            for (const unsigned int p : fault.slave.nodes)
               EXPECT_NEAR(fine.local_element(p * dim), 1., 1e-13);
             // Jumps have no influence on the masters.
-            for (const unsigned int q : fault.master_nodes)
+            for (const unsigned int q : fault.master.nodes)
               EXPECT_EQ(fine.local_element(q * dim), 0.);
           }
       }

@@ -72,15 +72,15 @@ namespace
     for (unsigned int f = 0; f < 2; ++f)
       {
         const FaultContact<dim> &fault = scene.problem.jump_basis().faults()[f];
-        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < fault.slave.nodes.size(); ++k)
           {
-            const auto         number = fault.slave_nodes[k];
+            const auto         number = fault.slave.nodes[k];
             const unsigned int node   = finest.nodes.local_index(number);
             if (!std::binary_search(finest.nonsmooth_nodes.begin(),
                                     finest.nonsmooth_nodes.end(),
                                     node))
               continue;
-            const double x             = fault.slave_surface.points[k][0];
+            const double x             = fault.slave.points[k][0];
             const bool   opens         = f == 0 && x > 0. && x <= 1.;
             const bool   slip_is_known = f == 0 && x > 1.;
             EXPECT_EQ(scene.problem.may_open(number), opens);

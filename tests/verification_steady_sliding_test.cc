@@ -103,7 +103,7 @@ namespace
     const double           sign  = fault.sides.sign();
     for (unsigned int p = 0; p < state.alpha.size(); ++p)
       {
-        const double wave = std::cos(k * fault.slave_surface.points[p][0]);
+        const double wave = std::cos(k * fault.slave.points[p][0]);
         state.slip_rate[p][0] =
           sign * (theory.slip_rate + (s * slip).real() * wave);
         state.slip[p][0] = sign * slip * wave;
@@ -120,7 +120,7 @@ namespace
   amplitude(const SteppingScene &scene, const double k)
   {
     const FaultContact<2> &fault  = scene.problem.jump_basis().faults().front();
-    const auto            &points = fault.slave_surface.points;
+    const auto            &points = fault.slave.points;
     double                 sum    = 0;
     for (unsigned int p = 0; p < points.size(); ++p)
       sum += 2. * scene.state.alpha[p] * std::cos(k * points[p][0]);

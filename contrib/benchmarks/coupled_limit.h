@@ -48,15 +48,22 @@ namespace Measure
     {
       Method method      = common("coupled");
       method.repetitions = 3;
-      method.solve       = [this]() {
+      method.prepare     = [this]() {
+        const NodalVector &solution = reference();
         freeze();
-        const unsigned int n =
-          conjugate_gradients(LinearisedOperator<dim>{hierarchy},
+        n_steps = count_steps(LinearisedOperator<dim>{hierarchy},
                               CyclePreconditioner<dim>{hierarchy},
-                              w,
                               rhs,
-                              reduction);
-        return std::make_pair(n, n);
+                              solution);
+      };
+      method.solve = [this]() {
+        freeze();
+        take_steps(LinearisedOperator<dim>{hierarchy},
+                   CyclePreconditioner<dim>{hierarchy},
+                   w,
+                   rhs,
+                   n_steps);
+        return std::make_pair(n_steps, n_steps);
       };
       return method;
     }
@@ -83,11 +90,10 @@ namespace Measure
         {
           freeze();
           reference_solution = problem.make_vector();
-          conjugate_gradients(LinearisedOperator<dim>{hierarchy},
-                              CyclePreconditioner<dim>{hierarchy},
-                              reference_solution,
-                              rhs,
-                              reference_reduction);
+          solve_exactly(LinearisedOperator<dim>{hierarchy},
+                        CyclePreconditioner<dim>{hierarchy},
+                        reference_solution,
+                        rhs);
         }
       return reference_solution;
     }
@@ -174,7 +180,6 @@ namespace Measure
                 rough_acceleration(points[i], c);
         }
       coupled.boundary->dirichlet_mask(coupled.meshes->n_levels() - 1)
-        .local_part(finest.nodes)
         .apply(acceleration);
       w = problem.make_vector();
       problem.to_jumps(w, acceleration);
@@ -193,7 +198,9 @@ namespace Measure
     TNNMGSolver<dim>            solver;
     NodeMask                    active;
     NodalVector                 rhs, w, reference_solution;
-    double combine_time = 0, linearise_time = 0, level_bytes = 0;
+    /** Steps of CG. */
+    unsigned int n_steps      = 0;
+    double       combine_time = 0, linearise_time = 0, level_bytes = 0;
   };
 } // namespace Measure
 

@@ -8,6 +8,7 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -15,9 +16,14 @@
 
 namespace Measure
 {
-  constexpr double       reduction           = 1e-8;
-  constexpr double       reference_reduction = 1e-14;
-  constexpr unsigned int max_iterations      = 1000;
+  /** Error of solutions, relative and in the energy norm: as much as rate
+   * problems are asked for. */
+  constexpr double tolerance = 1e-8;
+
+  /** Reduction of the residual for what errors are found from. */
+  constexpr double reference_reduction = 1e-14;
+
+  constexpr unsigned int max_iterations = 1000;
 
 
 
@@ -28,6 +34,8 @@ namespace Measure
     types::global_dof_index unknowns = 0;
     double                  meshes_s = 0, assembly_s = 0, preconditioner_s = 0;
     double                  bytes = 0, mesh_bytes = 0;
+    /** Find what solve() needs to know and a user need not. */
+    std::function<void()> prepare = []() {};
     /** Solve from zero; returns the numbers of iterations and cycles. */
     std::function<std::pair<unsigned int, unsigned int>()> solve;
     std::function<double()>                                error;
@@ -36,24 +44,6 @@ namespace Measure
     std::pair<unsigned int, unsigned int> iterations;
     double solve_s = std::numeric_limits<double>::max();
   };
-
-
-
-  /** Number of iterations of CG from zero. */
-  template <typename Operator, typename Preconditioner, typename VectorType>
-  unsigned int
-  conjugate_gradients(const Operator       &A,
-                      const Preconditioner &preconditioner,
-                      VectorType           &x,
-                      const VectorType     &b,
-                      const double          reduction)
-  {
-    x = 0.;
-    SolverControl        control(max_iterations, reduction * b.l2_norm());
-    SolverCG<VectorType> solver(control);
-    solver.solve(A, x, b, preconditioner);
-    return control.last_step();
-  }
 
 
 
@@ -70,6 +60,64 @@ namespace Measure
     difference -= y;
     A.vmult(product, difference);
     return std::sqrt(std::abs(difference * product) / size);
+  }
+
+
+
+  /** Solve by CG as exactly as rounding allows. */
+  template <typename Operator, typename Preconditioner, typename VectorType>
+  void
+  solve_exactly(const Operator       &A,
+                const Preconditioner &preconditioner,
+                VectorType           &x,
+                const VectorType     &b)
+  {
+    x = 0.;
+    SolverControl control(max_iterations, reference_reduction * b.l2_norm());
+    SolverCG<VectorType> solver(control);
+    solver.solve(A, x, b, preconditioner);
+  }
+
+
+
+  /** Steps of CG from zero that an error of at most the tolerance takes. */
+  template <typename Operator, typename Preconditioner, typename VectorType>
+  unsigned int
+  count_steps(const Operator       &A,
+              const Preconditioner &preconditioner,
+              const VectorType     &b,
+              const VectorType     &solution)
+  {
+    VectorType x = b;
+    x            = 0.;
+    // Any residual will do.
+    SolverControl control(max_iterations, std::numeric_limits<double>::max());
+    SolverCG<VectorType> solver(control);
+    solver.connect(
+      [&](const unsigned int, const double, const VectorType &iterate) {
+        return relative_energy_error(A, iterate, solution) > tolerance ?
+                 SolverControl::iterate :
+                 SolverControl::success;
+      });
+    solver.solve(A, x, b, preconditioner);
+    return control.last_step();
+  }
+
+
+
+  /** Take some steps of CG from zero. */
+  template <typename Operator, typename Preconditioner, typename VectorType>
+  void
+  take_steps(const Operator       &A,
+             const Preconditioner &preconditioner,
+             VectorType           &x,
+             const VectorType     &b,
+             const unsigned int    n_steps)
+  {
+    x = 0.;
+    IterationNumberControl control(n_steps, std::numeric_limits<double>::min());
+    SolverCG<VectorType>   solver(control);
+    solver.solve(A, x, b, preconditioner);
   }
 } // namespace Measure
 

@@ -113,17 +113,9 @@ namespace Measure
         return x;
       x.reinit(problem->rhs.size());
       if (geometric)
-        conjugate_gradients(problem->system_matrix,
-                            *geometric,
-                            x,
-                            problem->rhs,
-                            reference_reduction);
+        solve_exactly(problem->system_matrix, *geometric, x, problem->rhs);
       else if (algebraic)
-        conjugate_gradients(problem->system_matrix,
-                            *algebraic,
-                            x,
-                            problem->rhs,
-                            reference_reduction);
+        solve_exactly(problem->system_matrix, *algebraic, x, problem->rhs);
       else
         x = solutions[umfpack ? "umfpack" : "mumps"];
       return x;
@@ -182,10 +174,13 @@ namespace Measure
     void
     use_conjugate_gradients(Method &method, const Preconditioner &P)
     {
-      auto &x      = solutions[method.name];
-      method.solve = [this, &x, &P]() {
-        const unsigned int n = conjugate_gradients(
-          problem->system_matrix, P, x, problem->rhs, reduction);
+      auto &x        = solutions[method.name];
+      auto &n        = n_steps[method.name];
+      method.prepare = [this, &n, &P]() {
+        n = count_steps(problem->system_matrix, P, problem->rhs, reference());
+      };
+      method.solve = [this, &x, &n, &P]() {
+        take_steps(problem->system_matrix, P, x, problem->rhs, n);
         return std::make_pair(n, n);
       };
     }
@@ -196,6 +191,8 @@ namespace Measure
     std::unique_ptr<SparseDirectUMFPACK>     umfpack;
     std::unique_ptr<MumpsSolver<dim>>        mumps;
     std::map<std::string, Vector<double>>    solutions;
+    /** Steps of CG. */
+    std::map<std::string, unsigned int> n_steps;
     double meshes_s = 0, assembly_s = 0, mesh_bytes = 0, matrix_bytes = 0;
   };
 } // namespace Measure

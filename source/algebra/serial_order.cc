@@ -8,12 +8,29 @@
 
 namespace StickSlip
 {
+  namespace
+  {
+    /** The values of each process, on the first one. */
+    template <typename Number>
+    std::vector<std::vector<Number>>
+    parts_of_all(const MPI_Comm            &communicator,
+                 const std::vector<Number> &values)
+    {
+      // A message to oneself would be compressed and expanded.
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return {values};
+      return Utilities::MPI::gather(communicator, values);
+    }
+  } // namespace
+
+
+
   SerialOrder::SerialOrder(const std::vector<types::global_dof_index> &places,
                            const types::global_dof_index               n_items,
                            const MPI_Comm &communicator)
     : communicator(communicator)
     , n_items(n_items)
-    , places(Utilities::MPI::gather(communicator, places))
+    , places(parts_of_all(communicator, places))
   {}
 
 
@@ -24,7 +41,7 @@ namespace StickSlip
                       const unsigned int         n_values) const
   {
     const std::vector<std::vector<Number>> parts =
-      Utilities::MPI::gather(communicator, values);
+      parts_of_all(communicator, values);
     std::vector<Number> result;
     if (parts.empty())
       return result;

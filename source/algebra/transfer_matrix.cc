@@ -11,6 +11,10 @@ namespace StickSlip
 {
   namespace
   {
+    using RowRange = TransferMatrix::RowRange;
+
+
+
     /** The transpose of the first @p n_rows rows. */
     TransferMatrix::Compressed
     transpose_of(const TransferMatrix::Compressed &A,
@@ -39,25 +43,64 @@ namespace StickSlip
 
 
 
-    /** The rows that have axes of their own or a column that has. */
-    std::vector<unsigned int>
-    find_turned_rows(const TransferMatrix::Compressed &A,
-                     const unsigned int                n_rows,
-                     const LocalFrames                &row_frames,
-                     const LocalFrames                &column_frames)
+    /** True if a row has axes of its own or a column that has. */
+    bool
+    is_turned(const TransferMatrix::Compressed &A,
+              const unsigned int                i,
+              const LocalFrames                &row_frames,
+              const LocalFrames                &column_frames)
     {
-      std::vector<unsigned int> turned;
-      if (row_frames.empty() && column_frames.empty())
-        return turned;
-      for (unsigned int i = 0; i < n_rows; ++i)
-        if (row_frames.find(i) != nullptr ||
-            std::any_of(A.column.begin() + A.row_start[i],
-                        A.column.begin() + A.row_start[i + 1],
-                        [&](const unsigned int j) {
-                          return column_frames.find(j) != nullptr;
-                        }))
-          turned.push_back(i);
-      return turned;
+      return row_frames.find(i) != nullptr ||
+             std::any_of(A.column.begin() + A.row_start[i],
+                         A.column.begin() + A.row_start[i + 1],
+                         [&](const unsigned int j) {
+                           return column_frames.find(j) != nullptr;
+                         });
+    }
+
+
+
+    /** The first @p n_rows rows by what their products take. */
+    std::vector<RowRange>
+    find_ranges(const TransferMatrix::Compressed &A,
+                const unsigned int                n_rows,
+                const LocalFrames                &row_frames,
+                const LocalFrames                &column_frames)
+    {
+      // As many copied rows as are worth an interruption of others.
+      constexpr unsigned int least_copied = 8;
+      const bool have_axes = !row_frames.empty() || !column_frames.empty();
+      const auto kind      = [&](const unsigned int i) {
+        if (have_axes && is_turned(A, i, row_frames, column_frames))
+          return RowRange::turned;
+        const unsigned int k = A.row_start[i];
+        return A.row_start[i + 1] == k + 1 && A.value[k] == 1. ?
+                      RowRange::copied :
+                      RowRange::summed;
+      };
+      std::vector<RowRange> ranges;
+      for (unsigned int i = 0; i < n_rows;)
+        {
+          RowRange range = {i, i + 1, kind(i)};
+          if (range.kind == RowRange::copied)
+            {
+              range.column = A.column[A.row_start[i]];
+              while (range.end < n_rows &&
+                     kind(range.end) == RowRange::copied &&
+                     A.column[A.row_start[range.end]] ==
+                       range.column + (range.end - i))
+                ++range.end;
+              if (range.end - i < least_copied)
+                range.kind = RowRange::summed;
+            }
+          if (range.kind == RowRange::summed && !ranges.empty() &&
+              ranges.back().kind == RowRange::summed)
+            ranges.back().end = range.end;
+          else
+            ranges.push_back(range);
+          i = range.end;
+        }
+      return ranges;
     }
 
 
@@ -85,6 +128,19 @@ namespace StickSlip
             else
               y[std::size_t(i) * components + c] = sum[c];
         }
+    }
+
+
+
+    template <bool add, typename Number>
+    void
+    copy_rows(const Number *x, const std::size_t n_entries, Number *y)
+    {
+      if (!add)
+        std::copy_n(x, n_entries, y);
+      else
+        for (std::size_t i = 0; i < n_entries; ++i)
+          y[i] += x[i];
     }
 
 
@@ -126,13 +182,12 @@ namespace StickSlip
 
 
 
-    /** The first @p n_rows rows of y = R^T A Q x or y += R^T A Q x, where only
-     * those that are @p turned depend on the axes. */
+    /** Rows of y = R^T A Q x or y += R^T A Q x with the axes R of rows and Q of
+     * columns. */
     template <bool add, typename Number>
     void
     multiply(const TransferMatrix::Compressed &A,
-             const unsigned int                n_rows,
-             const std::vector<unsigned int>  &turned,
+             const std::vector<RowRange>      &ranges,
              const LocalFrames                &row_frames,
              const LocalFrames                &column_frames,
              const NodeValues<Number>         &x,
@@ -145,16 +200,28 @@ namespace StickSlip
                column_frames.n_components() == components,
              ExcDimensionMismatch(column_frames.n_components(), components));
       const auto multiply_all = [&](const auto size) {
-        constexpr int n     = decltype(size)::value;
-        unsigned int  begin = 0;
-        for (const unsigned int i : turned)
-          {
-            multiply<n, add>(A, begin, i, x.begin(), y.begin());
-            multiply_turned_row<n, add>(
-              A, i, row_frames, column_frames, x.begin(), y.begin());
-            begin = i + 1;
-          }
-        multiply<n, add>(A, begin, n_rows, x.begin(), y.begin());
+        constexpr int n = decltype(size)::value;
+        for (const RowRange &range : ranges)
+          switch (range.kind)
+            {
+              case RowRange::summed:
+                multiply<n, add>(
+                  A, range.begin, range.end, x.begin(), y.begin());
+                break;
+              case RowRange::copied:
+                copy_rows<add>(x.begin() + std::size_t(range.column) * n,
+                               std::size_t(range.end - range.begin) * n,
+                               y.begin() + std::size_t(range.begin) * n);
+                break;
+              case RowRange::turned:
+                multiply_turned_row<n, add>(A,
+                                            range.begin,
+                                            row_frames,
+                                            column_frames,
+                                            x.begin(),
+                                            y.begin());
+                break;
+            }
       };
       switch (components)
         {
@@ -191,11 +258,10 @@ namespace StickSlip
       append_row(row, coarse);
     by_row.column.shrink_to_fit();
     by_row.value.shrink_to_fit();
-    by_column = transpose_of(by_row, n_owned_rows, coarse.n_local());
-    turned_rows =
-      find_turned_rows(by_row, n_owned_rows, row_frames, column_frames);
-    turned_columns =
-      find_turned_rows(by_column, n_columns(), column_frames, row_frames);
+    by_column  = transpose_of(by_row, n_owned_rows, coarse.n_local());
+    row_ranges = find_ranges(by_row, n_owned_rows, row_frames, column_frames);
+    column_ranges =
+      find_ranges(by_column, n_columns(), column_frames, row_frames);
   }
 
 
@@ -251,8 +317,7 @@ namespace StickSlip
   {
     update_ghosts(coarse);
     multiply<false>(by_row,
-                    n_owned_rows,
-                    turned_rows,
+                    row_ranges,
                     frames_of_rows,
                     frames_of_columns,
                     coarse,
@@ -270,8 +335,7 @@ namespace StickSlip
   {
     update_ghosts(coarse);
     multiply<true>(by_row,
-                   n_owned_rows,
-                   turned_rows,
+                   row_ranges,
                    frames_of_rows,
                    frames_of_columns,
                    coarse,
@@ -289,8 +353,7 @@ namespace StickSlip
   {
     // The owned fine nodes' shares, to own coarse nodes and to ghosts.
     multiply<false>(by_column,
-                    n_columns(),
-                    turned_columns,
+                    column_ranges,
                     frames_of_columns,
                     frames_of_rows,
                     fine,
@@ -307,8 +370,8 @@ namespace StickSlip
     return 2 *
              (by_row.column.size() * (sizeof(unsigned int) + sizeof(double))) +
            sizeof(unsigned int) *
-             (by_row.row_start.size() + by_column.row_start.size() +
-              turned_rows.size() + turned_columns.size());
+             (by_row.row_start.size() + by_column.row_start.size()) +
+           sizeof(RowRange) * (row_ranges.size() + column_ranges.size());
   }
 
 

@@ -34,7 +34,7 @@ namespace StickSlip
     const FaultContact<dim> &contact) const
   {
     const std::vector<SymmetricTensor<2, dim>> stresses =
-      stress.values(contact.slave_surface.points, section);
+      stress.values(contact.slave.points, section);
     std::vector<Tensor<1, dim>> tractions;
     for (unsigned int k = 0; k < stresses.size(); ++k)
       tractions.push_back(stresses[k] * contact.axes.normal(k));
@@ -77,13 +77,13 @@ namespace StickSlip
         for (unsigned int k = 0; k < tractions.size(); ++k)
           {
             if (!contact.coupling.active[k] ||
-                !nodes.owned().is_element(contact.slave_nodes[k]))
+                !nodes.owned().is_element(contact.slave.nodes[k]))
               continue;
             const Tensor<1, dim> along_axes =
               transpose(contact.axes.at(k)) * tractions[k];
             // Unknowns are jumps from master to slave.
             for (unsigned int d = 0; d < dim - 1; ++d)
-              load.local_element(nodes.local_index(contact.slave_nodes[k]) *
+              load.local_element(nodes.local_index(contact.slave.nodes[k]) *
                                    nodes.n_components() +
                                  d) = contact.sides.sign() *
                                       contact.coupling.weight[k] *

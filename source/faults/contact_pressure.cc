@@ -14,7 +14,7 @@ namespace StickSlip
     unsigned int
     nearest_in_contact(const FaultContact<dim> &contact, const unsigned int k)
     {
-      const std::vector<Point<dim>> &points  = contact.slave_surface.points;
+      const std::vector<Point<dim>> &points  = contact.slave.points;
       unsigned int                   nearest = k;
       double distance = std::numeric_limits<double>::max();
       for (unsigned int m = 0; m < points.size(); ++m)
@@ -40,11 +40,11 @@ namespace StickSlip
     for (const FaultContact<dim> &contact : basis.faults())
       {
         const std::vector<Tensor<1, dim>> forces =
-          gather_nodes<dim>(reaction, nodes, contact.slave_nodes);
+          gather_nodes<dim>(reaction, nodes, contact.slave.nodes);
         // The reaction pushes the slave side along the normal if that is the
         // second one.
         const double sign = contact.sides.sign();
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
           {
             const unsigned int m =
               contact.coupling.active[k] ? k : nearest_in_contact(contact, k);

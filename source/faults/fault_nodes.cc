@@ -14,18 +14,24 @@ namespace StickSlip
     : first{0}
     , partition(partition)
   {
+    for (const FaultContact<dim> &contact : basis.faults())
+      first.push_back(first.back() + contact.slave.nodes.size());
+    fault_of_node.reserve(first.back());
+    nodes.reserve(first.back());
+    active.reserve(first.back());
+    node_weights.reserve(first.back());
+    opening_signs.reserve(first.back());
     for (unsigned int f = 0; f < basis.faults().size(); ++f)
       {
         const FaultContact<dim> &contact = basis.faults()[f];
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
           {
             fault_of_node.push_back(f);
-            nodes.push_back(contact.slave_nodes[k]);
+            nodes.push_back(contact.slave.nodes[k]);
             active.push_back(contact.coupling.active[k]);
             node_weights.push_back(contact.coupling.weight[k]);
             opening_signs.push_back(contact.opening_sign(k));
           }
-        first.push_back(nodes.size());
       }
 
     for (unsigned int k = 0; k < nodes.size(); ++k)

@@ -15,15 +15,15 @@ namespace StickSlip
     unsigned int first = 0;
     for (const FaultContact<dim> &contact : basis.faults())
       {
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
           if (contact.coupling.active[k] &&
-              nodes.owned().is_element(contact.slave_nodes[k]))
+              nodes.owned().is_element(contact.slave.nodes[k]))
             for (unsigned int d = 0; d < dim - 1; ++d)
-              load.local_element(nodes.local_index(contact.slave_nodes[k]) *
+              load.local_element(nodes.local_index(contact.slave.nodes[k]) *
                                    nodes.n_components() +
                                  d) +=
                 contact.coupling.weight[k] * shear_stress[first + k][d];
-        first += contact.slave_nodes.size();
+        first += contact.slave.nodes.size();
       }
   }
 

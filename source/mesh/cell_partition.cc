@@ -58,8 +58,8 @@ namespace StickSlip
 
     template <int dim>
     FaultCells<dim>
-    fault_cells(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-                const std::vector<BodySide>                             &parts,
+    fault_cells(const BodyMeshes<dim>           &bodies,
+                const std::vector<BodySide>     &parts,
                 const std::vector<unsigned int> &first_cell)
     {
       FaultCells<dim> result;
@@ -137,11 +137,10 @@ namespace StickSlip
     class NeighbouringCells
     {
     public:
-      NeighbouringCells(
-        const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-        const FaultTopology                                     &topology,
-        const std::vector<unsigned int>                         &first_cell,
-        const std::vector<std::vector<unsigned int>>            &n_finest)
+      NeighbouringCells(const BodyMeshes<dim>           &bodies,
+                        const FaultTopology             &topology,
+                        const std::vector<unsigned int> &first_cell,
+                        const std::vector<std::vector<unsigned int>> &n_finest)
         : n_finer(first_cell.back(), 1)
       {
         for (unsigned int i = 0; i < bodies.size(); ++i)
@@ -240,11 +239,10 @@ namespace StickSlip
 
   template <int dim>
   std::vector<std::vector<unsigned int>>
-  partition_cells(
-    const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-    const FaultTopology                                     &topology,
-    const unsigned int                                       n_parts,
-    const std::vector<std::vector<unsigned int>>            &n_finest)
+  partition_cells(const BodyMeshes<dim>                        &bodies,
+                  const FaultTopology                          &topology,
+                  const unsigned int                            n_parts,
+                  const std::vector<std::vector<unsigned int>> &n_finest)
   {
     AssertThrow(n_parts > 0, ExcMessage("There is no process to own cells."));
 

@@ -50,12 +50,11 @@ namespace StickSlip
 
 
   template <int dim>
-  MeshLevel<dim>::MeshLevel(
-    const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-    const FaultTopology                                     &topology,
-    const std::vector<NodeNumbers>                          &of_bodies,
-    const MPI_Comm                                          &communicator,
-    const unsigned int                                       n_components)
+  MeshLevel<dim>::MeshLevel(const BodyMeshes<dim>          &bodies,
+                            const FaultTopology            &topology,
+                            const std::vector<NodeNumbers> &of_bodies,
+                            const MPI_Comm                 &communicator,
+                            const unsigned int              n_components)
     : bodies(bodies)
     , first_node{0}
     , first_serial_node{0}

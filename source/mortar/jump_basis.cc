@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <deal.II/base/mpi.h>
-
-#include <stickslip/mortar/crosspoints.h>
 #include <stickslip/mortar/jump_basis.h>
 #include <stickslip/mortar/moved_surface.h>
 #include <stickslip/mortar/shared_coupling.h>
@@ -67,22 +64,6 @@ namespace StickSlip
 
 
 
-    /** True at some nodes where their owners mask a component. Collective. */
-    std::vector<bool>
-    where_masked(const NodeMask                             &mask,
-                 const NodePartition                        &partition,
-                 const std::vector<types::global_dof_index> &nodes)
-    {
-      std::vector<unsigned int> is_masked;
-      for (const types::global_dof_index node : nodes)
-        is_masked.push_back(partition.owned().is_element(node) &&
-                            !mask.is_fully_active(partition.local_index(node)));
-      Utilities::MPI::max(is_masked, partition.communicator(), is_masked);
-      return {is_masked.begin(), is_masked.end()};
-    }
-
-
-
     template <typename Row>
     void
     add_multiple(GlobalRow &sum, const double factor, const Row &row)
@@ -112,13 +93,13 @@ namespace StickSlip
       const MortarCoupling<dim> &coupling = contact.coupling;
       GlobalRow                  result;
       for (const auto &[q, factor] : coupling.master_rows[k])
-        result.emplace_back(contact.master_nodes[q], factor);
+        result.emplace_back(contact.master.nodes[q], factor);
       for (const auto &[q, factor] : coupling.inactive_slave_rows[k])
-        result.emplace_back(contact.slave_nodes[q], factor);
+        result.emplace_back(contact.slave.nodes[q], factor);
       if (!coupling.rotation_rows.empty())
         for (const auto &term : coupling.rotation_rows[k])
           if (!has_column(coupling.master_rows[k], term.first))
-            result.emplace_back(contact.master_nodes[term.first], least_entry);
+            result.emplace_back(contact.master.nodes[term.first], least_entry);
       return result;
     }
 
@@ -137,7 +118,7 @@ namespace StickSlip
           if (!has_column(coupling.master_rows[k], q))
             for (unsigned int d = 0; d < dim; ++d)
               matrix[d][d] += least_entry;
-          result.emplace_back(contact.master_nodes[q], matrix);
+          result.emplace_back(contact.master.nodes[q], matrix);
         }
       return result;
     }
@@ -151,53 +132,41 @@ namespace StickSlip
     const std::vector<FaultSides>             &sides,
     const std::vector<FaultAxes<dim>>         &axes,
     const std::vector<FaultDisplacement<dim>> &displacements,
-    const NodeMask                            &dirichlet)
+    const std::vector<std::vector<bool>>      &excluded)
   {
     AssertDimension(axes.size(), sides.size());
     AssertDimension(displacements.size(), sides.size());
-    const std::vector<types::global_dof_index> crossings =
-      crosspoints(level, sides.size());
+    AssertDimension(excluded.size(), sides.size());
     for (unsigned int f = 0; f < sides.size(); ++f)
       {
-        const FaultSides &side = sides[f];
-        FaultContact<dim> contact;
-        contact.sides                   = side;
-        contact.axes                    = axes[f];
-        contact.slave_surface           = level.surface(f, side.slave);
-        const FaultSurface<dim> &master = level.surface(f, side.master);
-        contact.slave_nodes             = contact.slave_surface.nodes;
-        contact.master_nodes            = master.nodes;
-        contact.smallest_face =
-          std::min(face_sizes(contact.slave_surface).second,
-                   face_sizes(master).second);
-
-        std::vector<bool> excluded =
-          where_masked(dirichlet, level.nodes, contact.slave_nodes);
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
-          if (std::binary_search(crossings.begin(),
-                                 crossings.end(),
-                                 contact.slave_nodes[k]))
-            excluded[k] = true;
-        contact.is_bent =
-          !contact.slave_surface.is_plane() || !master.is_plane();
-        contact.coupling = couple(contact.slave_surface,
-                                  master,
-                                  displacements[f],
-                                  contact.is_bent,
-                                  excluded,
-                                  level.nodes.communicator());
-
-        contacts.push_back(std::move(contact));
+        const FaultSurface<dim> &slave  = level.surface(f, sides[f].slave);
+        const FaultSurface<dim> &master = level.surface(f, sides[f].master);
+        const bool is_bent = !slave.is_plane() || !master.is_plane();
+        contacts.push_back(
+          {slave,
+           master,
+           sides[f],
+           axes[f],
+           couple(slave,
+                  master,
+                  displacements[f],
+                  is_bent,
+                  excluded[f],
+                  level.nodes.communicator()),
+           std::min(face_sizes(slave).second, face_sizes(master).second),
+           is_bent});
       }
 
     // Each active node, its fault and its place there.
     std::vector<std::tuple<types::global_dof_index, unsigned int, unsigned int>>
       active;
     for (unsigned int f = 0; f < contacts.size(); ++f)
-      for (unsigned int k = 0; k < contacts[f].slave_nodes.size(); ++k)
+      for (unsigned int k = 0; k < contacts[f].slave.nodes.size(); ++k)
         if (contacts[f].coupling.active[k])
-          active.emplace_back(contacts[f].slave_nodes[k], f, k);
+          active.emplace_back(contacts[f].slave.nodes[k], f, k);
     std::sort(active.begin(), active.end());
+    active_nodes.reserve(active.size());
+    factors.reserve(active.size());
     for (const auto &[node, f, k] : active)
       {
         const FaultContact<dim> &contact = contacts[f];

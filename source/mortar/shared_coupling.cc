@@ -121,8 +121,11 @@ namespace StickSlip
       return own;
 
     MortarCoupling<dim> result;
-    result.covered_area      = sum(own.covered_area, communicator);
-    result.lost_area         = sum(own.lost_area, communicator);
+    result.covered_area = sum(own.covered_area, communicator);
+    result.lost_area    = sum(own.lost_area, communicator);
+    result.active.reserve(n_nodes);
+    result.weight.reserve(n_nodes);
+    result.averaging_factor.reserve(n_nodes);
     const bool has_rotations = !slave.is_plane() || !master.is_plane();
     for (const Message &message :
          all_gather(communicator, write_nodes(own, range)))

@@ -54,8 +54,11 @@ namespace StickSlip
 
   TableFile::~TableFile()
   {
-    if (file >= 0)
-      ::close(file);
+    if (file < 0)
+      return;
+    if (write_rows() != 0)
+      keep_whole_rows();
+    ::close(file);
   }
 
 
@@ -70,42 +73,54 @@ namespace StickSlip
                     value,
                     std::chars_format::general,
                     std::numeric_limits<double>::max_digits10);
-    row.append(text.data(), result.ptr);
+    rows.append(text.data(), result.ptr);
   }
 
 
 
   int
-  TableFile::write_row()
+  TableFile::write_rows()
   {
     if (file < 0)
       return EBADF;
-    for (std::size_t n_written = 0; n_written < row.size();)
+    std::size_t n_written = 0;
+    int         error     = 0;
+    while (n_written < complete && error == 0)
       {
         const ssize_t n =
-          ::write(file, row.data() + n_written, row.size() - n_written);
+          ::write(file, rows.data() + n_written, complete - n_written);
         if (n >= 0)
           n_written += n;
         else if (errno != EINTR)
-          return errno;
+          error = errno;
       }
-    return 0;
+    // Rows that are in the file as a whole.
+    if (n_written < complete)
+      n_written = n_written == 0 ? 0 : rows.rfind('\n', n_written - 1) + 1;
+    size += n_written;
+    rows.erase(0, complete);
+    complete = 0;
+    return error;
+  }
+
+
+
+  void
+  TableFile::keep_whole_rows() const
+  {
+    std::error_code ignored;
+    std::filesystem::resize_file(file_name, size, ignored);
   }
 
 
 
   bool
-  TableFile::is_there()
+  TableFile::has_name() const
   {
-    // Names take time to look up; a file that has been deleted tells by itself.
-    constexpr std::chrono::milliseconds interval(100);
-    struct stat                         status;
+    // A file that has been deleted can still be written to.
+    struct stat status;
     if (file >= 0 && ::fstat(file, &status) == 0 && status.st_nlink == 0)
       return false;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_look < interval)
-      return true;
-    last_look = now;
     std::error_code error;
     return std::filesystem::exists(file_name, error);
   }
@@ -113,32 +128,51 @@ namespace StickSlip
 
 
   void
+  TableFile::write_waiting_rows()
+  {
+    const int error     = write_rows();
+    last_writing        = std::chrono::steady_clock::now();
+    const bool is_there = has_name();
+    if (error == 0 && is_there)
+      return;
+    std::string reason;
+    if (!is_there)
+      reason = "it is not there any more";
+    else if (file >= 0)
+      reason = std::strerror(error);
+    keep_whole_rows();
+    throw InputError("The file '" + file_name + "' cannot be written" +
+                     (reason.empty() ? "" : " (" + reason + ")") + ".");
+  }
+
+
+
+  void
   TableFile::end_row()
   {
-    row += '\n';
-    const int error = write_row();
-    if (const bool was_deleted = !is_there(); error != 0 || was_deleted)
-      {
-        std::string reason;
-        if (was_deleted)
-          reason = "it is not there any more";
-        else if (file >= 0)
-          reason = std::strerror(error);
-        // A file that has been deleted can still be written to.
-        std::error_code ignored;
-        std::filesystem::resize_file(file_name, size, ignored);
-        throw InputError("The file '" + file_name + "' cannot be written" +
-                         (reason.empty() ? "" : " (" + reason + ")") + ".");
-      }
-    size += row.size();
-    row.clear();
+    rows += '\n';
+    complete = rows.size();
+    write_waiting_rows();
+  }
+
+
+
+  void
+  TableFile::end_waiting_row()
+  {
+    constexpr std::chrono::milliseconds interval(100);
+    rows += '\n';
+    complete = rows.size();
+    if (std::chrono::steady_clock::now() - last_writing >= interval)
+      write_waiting_rows();
   }
 
 
 
   FileState
-  TableFile::state() const
+  TableFile::state()
   {
+    write_waiting_rows();
     FileState result;
     result.size = size;
     return result;

@@ -105,7 +105,7 @@ namespace StickSlip
         else if (!std::isnan(fault.largest_gap))
           file << ',' << fault.largest_gap;
       }
-    file.end_row();
+    file.end_waiting_row();
   }
 
 

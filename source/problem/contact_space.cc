@@ -8,6 +8,7 @@
 #include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/make_set.h>
+#include <stickslip/mortar/excluded_nodes.h>
 #include <stickslip/problem/contact_space.h>
 
 #include <algorithm>
@@ -99,6 +100,8 @@ namespace StickSlip
     for (unsigned int l = 0; l < meshes.n_levels(); ++l)
       {
         dirichlet_masks.push_back(boundary_values.dirichlet_mask(l));
+        excluded.push_back(
+          excluded_nodes(meshes.level(l), sides, dirichlet_masks[l]));
         boundary_frames.push_back(boundary_values.frames(l));
       }
     if (std::any_of(slip_rates.begin(),
@@ -175,8 +178,7 @@ namespace StickSlip
             displacements = inject(mesh_hierarchy, l, sides, displacements);
             axes_now      = inject(mesh_hierarchy, l, sides, axes_now);
           }
-        bases.emplace_back(
-          level, sides, axes_now, displacements, dirichlet_masks[l]);
+        bases.emplace_back(level, sides, axes_now, displacements, excluded[l]);
         if (l + 1 < n_levels)
           bases.back().forget_faults();
       }

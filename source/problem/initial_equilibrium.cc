@@ -23,8 +23,8 @@ namespace StickSlip
       for (const FaultContact<dim> &contact : basis.faults())
         {
           const std::vector<Tensor<1, dim>> forces =
-            gather_nodes<dim>(reaction, nodes, contact.slave_nodes);
-          for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+            gather_nodes<dim>(reaction, nodes, contact.slave.nodes);
+          for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
             {
               tractions.emplace_back();
               if (contact.coupling.active[k])

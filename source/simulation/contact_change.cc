@@ -52,12 +52,11 @@ namespace StickSlip
                  const FaultNodes<dim> &faults,
                  const unsigned int     k)
     {
-      const unsigned int             f     = faults.fault(k);
-      const unsigned int             first = faults.first_of_fault()[f];
-      const std::vector<Point<dim>> &points =
-        basis.faults()[f].slave_surface.points;
-      unsigned int nearest  = k;
-      double       distance = std::numeric_limits<double>::max();
+      const unsigned int             f       = faults.fault(k);
+      const unsigned int             first   = faults.first_of_fault()[f];
+      const std::vector<Point<dim>> &points  = basis.faults()[f].slave.points;
+      unsigned int                   nearest = k;
+      double distance = std::numeric_limits<double>::max();
       for (unsigned int m = 0; m < points.size(); ++m)
         if (faults.in_contact(first + m) &&
             points[m].distance(points[k - first]) < distance)
@@ -217,7 +216,7 @@ namespace StickSlip
     for (unsigned int f = 0; f < basis.faults().size(); ++f)
       {
         std::vector<double> of_fault = background.normal_stress(basis, f);
-        of_fault.resize(basis.faults()[f].slave_nodes.size(), 0.);
+        of_fault.resize(basis.faults()[f].slave.nodes.size(), 0.);
         result.insert(result.end(), of_fault.begin(), of_fault.end());
       }
     return result;
@@ -246,13 +245,13 @@ namespace StickSlip
             for (unsigned int k = 0; k < u.size(); ++k)
               positions[surface.nodes[k]] = surface.points[k] + u[k];
           }
-        for (unsigned int k = 0; k < contact.slave_nodes.size(); ++k)
+        for (unsigned int k = 0; k < contact.slave.nodes.size(); ++k)
           {
             distances.push_back(0.);
             if (!contact.coupling.active[k])
               continue;
             // Entries of the row sum to zero.
-            const types::global_dof_index node = contact.slave_nodes[k];
+            const types::global_dof_index node = contact.slave.nodes[k];
             Tensor<1, dim>                jump;
             for (const auto &[partner, factor] : basis.to_jumps(node))
               jump += factor * (positions.at(partner) - positions.at(node));

@@ -13,8 +13,8 @@ namespace StickSlip
     for (const FaultContact<dim> &fault : basis.faults())
       {
         FaultLayout<dim> shape;
-        shape.surface = fault.slave_surface;
-        for (unsigned int k = 0; k < fault.slave_nodes.size(); ++k)
+        shape.surface = fault.slave;
+        for (unsigned int k = 0; k < fault.slave.nodes.size(); ++k)
           {
             Tensor<2, dim>       axes   = fault.axes.at(k);
             const Tensor<1, dim> normal = fault.axes.normal(k);
@@ -38,9 +38,9 @@ namespace StickSlip
     std::vector<std::vector<Point<dim>>> result;
     for (const FaultContact<dim> &fault : basis.faults())
       {
-        result.push_back(fault.slave_surface.points);
+        result.push_back(fault.slave.points);
         const auto moved =
-          gather_displacements<dim>(displacement, nodes, fault.slave_nodes);
+          gather_displacements<dim>(displacement, nodes, fault.slave.nodes);
         for (unsigned int k = 0; k < moved.size(); ++k)
           result.back()[k] += moved[k];
       }

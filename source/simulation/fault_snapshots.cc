@@ -24,7 +24,7 @@ namespace StickSlip
         const FaultContact<dim> &contact  = basis.faults()[f];
         const double             sign     = contact.sides.sign();
         snapshot.name                     = names[f];
-        snapshot.points                   = contact.slave_surface.points;
+        snapshot.points                   = contact.slave.points;
         snapshot.weights                  = contact.coupling.weight;
         const unsigned int n_nodes =
           nodes.first_of_fault()[f + 1] - nodes.first_of_fault()[f];

@@ -48,7 +48,7 @@ namespace StickSlip
       for (unsigned int f = 0; f < scene.faults.size(); ++f)
         {
           const std::vector<Point<dim>> &points =
-            basis.faults()[f].slave_surface.points;
+            basis.faults()[f].slave.points;
           for (const FaultPart &part : scene.faults[f].parts(points))
             {
               const std::vector<GivenStart<dim - 1>> given =

@@ -51,7 +51,7 @@ namespace StickSlip
         {
           const FaultParameters         &fault = scene.faults[f];
           const std::vector<Point<dim>> &points =
-            basis.faults()[f].slave_surface.points;
+            basis.faults()[f].slave.points;
           std::vector<double> given;
           if (fault.normal_stress_source == NormalStressSource::function)
             given = fault.normal_stress.values(points, fault.section());
@@ -149,10 +149,9 @@ namespace StickSlip
       scene.output.write_faults;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        const FaultParameters         &fault = scene.faults[f];
-        const std::vector<Point<dim>> &points =
-          basis.faults()[f].slave_surface.points;
-        const unsigned int first = state.alpha.size();
+        const FaultParameters         &fault  = scene.faults[f];
+        const std::vector<Point<dim>> &points = basis.faults()[f].slave.points;
+        const unsigned int             first  = state.alpha.size();
         state.alpha.resize(first + points.size(), 0.);
         for (const FaultPart &part : fault.parts(points))
           if (part.friction->has_state())

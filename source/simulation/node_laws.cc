@@ -67,9 +67,8 @@ namespace StickSlip
     NodeLaws result;
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        const std::vector<Point<dim>> &points =
-          basis.faults()[f].slave_surface.points;
-        const std::vector<double> radiated =
+        const std::vector<Point<dim>> &points = basis.faults()[f].slave.points;
+        const std::vector<double>      radiated =
           radiated_traction(scene, f, points);
         const unsigned int first = result.of_node.size();
         result.of_node.resize(first + points.size());

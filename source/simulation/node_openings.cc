@@ -47,9 +47,8 @@ namespace StickSlip
       side_distances(space, space.make_nodal_vector());
     for (unsigned int f = 0; f < scene.faults.size(); ++f)
       {
-        const std::vector<Point<dim>> &points =
-          basis.faults()[f].slave_surface.points;
-        const unsigned int first = result.size();
+        const std::vector<Point<dim>> &points = basis.faults()[f].slave.points;
+        const unsigned int             first  = result.size();
         result.resize(first + points.size());
         for (const FaultPart &part : scene.faults[f].parts(points))
           {

@@ -504,6 +504,8 @@ namespace StickSlip
     carry_out_agreed(communicator, [&]() {
       if (!files)
         return;
+      if (files->time_series)
+        files->time_series->finish();
       files->catalogue.finish();
       RunSummary                    whole   = summary;
       RunSummary::Section          &section = whole.add_section("Events");

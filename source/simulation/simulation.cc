@@ -344,8 +344,8 @@ namespace StickSlip
     std::vector<Point<dim>> points;
     for (const FaultContact<dim> &fault : problem.jump_basis().faults())
       points.insert(points.end(),
-                    fault.slave_surface.points.begin(),
-                    fault.slave_surface.points.end());
+                    fault.slave.points.begin(),
+                    fault.slave.points.end());
     return points;
   }
 

@@ -81,7 +81,7 @@ namespace StickSlip
           const FaultContact<dim> &contact = problem.jump_basis().faults()[f];
           RunSummary::Section     &section =
             summary.add_section("Fault " + fault_names[f]);
-          section.add_count("nodes", contact.slave_nodes.size());
+          section.add_count("nodes", contact.slave.nodes.size());
           std::string slave_bodies;
           for (const BodySide &part : problem.meshes()
                                         .topology()

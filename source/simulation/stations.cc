@@ -189,7 +189,7 @@ namespace StickSlip
                               const bool            with_normal_stress,
                               const JumpBasis<dim> &basis)
   {
-    const FaultSurface<dim> &surface = basis.faults()[fault].slave_surface;
+    const FaultSurface<dim> &surface = basis.faults()[fault].slave;
     std::vector<std::vector<unsigned int>> faces;
     for (unsigned int face = 0; face < surface.faces.size(); ++face)
       {

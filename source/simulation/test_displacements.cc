@@ -83,7 +83,7 @@ namespace StickSlip
     for (const SlipPattern<dim> &pattern : patterns)
       {
         const std::vector<Point<dim>> &points =
-          problem.jump_basis().faults()[pattern.fault].slave_surface.points;
+          problem.jump_basis().faults()[pattern.fault].slave.points;
         const unsigned int first = faults.first_of_fault()[pattern.fault];
         w                        = 0.;
         for (const unsigned int k : faults.owned_contact())

@@ -48,10 +48,8 @@ namespace StickSlip
   {
     const FaultNodes<dim>         &faults = simulation.fault_nodes();
     const unsigned int             first  = faults.first_of_fault()[f];
-    const std::vector<Point<dim>> &points = simulation.spatial_problem()
-                                              .jump_basis()
-                                              .faults()[f]
-                                              .slave_surface.points;
+    const std::vector<Point<dim>> &points =
+      simulation.spatial_problem().jump_basis().faults()[f].slave.points;
     const std::vector<double> moduli = shear_moduli(scene, f, points);
     const std::string         a      = CommonParameters::direct_effect().entry,
                       L = CommonParameters::characteristic_slip().entry,

@@ -94,6 +94,25 @@ namespace StickSlip
       std::vector<double>       value;
     };
 
+    /** Rows begin <= i < end, of which products are made in the same way. */
+    struct RowRange
+    {
+      enum Kind
+      {
+        /** Sums over the entries. */
+        summed,
+        /** Values of the columns from @p column on: a change of basis
+         * leaves most nodes as they are. */
+        copied,
+        /** A row that depends on axes of nodes. */
+        turned
+      };
+
+      unsigned int begin, end;
+      Kind         kind;
+      unsigned int column = 0;
+    };
+
     /** The scalars P. */
     const Compressed &
     matrix() const
@@ -131,10 +150,8 @@ namespace StickSlip
     Compressed   by_column;
     LocalFrames  frames_of_rows;
     LocalFrames  frames_of_columns;
-    /** Rows of P and of its transpose that depend on axes of nodes,
-     * ascending. */
-    std::vector<unsigned int> turned_rows;
-    std::vector<unsigned int> turned_columns;
+    /** Rows of P and of its transpose by what their products take. */
+    std::vector<RowRange> row_ranges, column_ranges;
   };
 } // namespace StickSlip
 

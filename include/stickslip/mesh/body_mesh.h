@@ -294,6 +294,10 @@ namespace StickSlip
     AffineConstraints<double>                 constraints;
     CellPatches                               cell_patches;
   };
+
+  /** Meshes of all bodies, in the order of the topology. */
+  template <int dim>
+  using BodyMeshes = std::vector<std::shared_ptr<const BodyMesh<dim>>>;
 } // namespace StickSlip
 
 #endif

@@ -25,11 +25,10 @@ namespace StickSlip
    */
   template <int dim>
   std::vector<std::vector<unsigned int>>
-  partition_cells(
-    const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-    const FaultTopology                                     &topology,
-    const unsigned int                                       n_parts,
-    const std::vector<std::vector<unsigned int>>            &n_finest = {});
+  partition_cells(const BodyMeshes<dim>                        &bodies,
+                  const FaultTopology                          &topology,
+                  const unsigned int                            n_parts,
+                  const std::vector<std::vector<unsigned int>> &n_finest = {});
 
   /**
    * The owner of every vertex of a body's mesh, by vertex index of the

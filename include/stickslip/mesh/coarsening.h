@@ -7,15 +7,8 @@
 #include <stickslip/geometry/fault_topology.h>
 #include <stickslip/mesh/body_mesh.h>
 
-#include <memory>
-#include <vector>
-
 namespace StickSlip
 {
-  /** Meshes of all bodies, in the order of the topology. */
-  template <int dim>
-  using BodyMeshes = std::vector<std::shared_ptr<const BodyMesh<dim>>>;
-
   /** True if there is a coarser level: if a body is refined, or if all of them
    * have coarser cells than their coarse ones. */
   template <int dim>

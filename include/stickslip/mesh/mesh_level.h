@@ -29,7 +29,7 @@ namespace StickSlip
   {
     /** Meshes in the order of the topology. A body that cannot be coarsened
      * further appears with the same mesh on several levels. */
-    std::vector<std::shared_ptr<const BodyMesh<dim>>> bodies;
+    BodyMeshes<dim> bodies;
 
     /** The owned nodes; ghosts are the nodes of all patches of cells that touch
      * an owned node. */
@@ -42,11 +42,11 @@ namespace StickSlip
      * vectors for each node. Throws InputError if a side of a fault has no
      * faces. Collective.
      */
-    MeshLevel(const std::vector<std::shared_ptr<const BodyMesh<dim>>> &bodies,
-              const FaultTopology                                     &topology,
-              const std::vector<NodeNumbers>                          &numbers,
-              const MPI_Comm    &communicator,
-              const unsigned int n_components = dim);
+    MeshLevel(const BodyMeshes<dim>          &bodies,
+              const FaultTopology            &topology,
+              const std::vector<NodeNumbers> &numbers,
+              const MPI_Comm                 &communicator,
+              const unsigned int              n_components = dim);
 
     /** Keep the patches that touch an owned node, the cells that touch a side
      * which every process needs as a whole, rigid bodies, and a cell of each

@@ -5,7 +5,6 @@
 #define stickslip_mortar_jump_basis_h
 
 #include <stickslip/algebra/node_frames.h>
-#include <stickslip/algebra/node_mask.h>
 #include <stickslip/mesh/nodal_prolongation.h>
 #include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/fault_axes.h>
@@ -16,19 +15,17 @@
 namespace StickSlip
 {
   /**
-   * One fault on one level: the global numbers of the nodes on both sides, in
-   * the order of the surfaces, and their coupling without its rows, which are
+   * One fault on one level: its two sides, which are those of the MeshLevel and
+   * are there as long as it is, and their coupling without its rows, which are
    * those of the basis.
    */
   template <int dim>
   struct FaultContact
   {
-    FaultSides                           sides;
-    FaultAxes<dim>                       axes;
-    FaultSurface<dim>                    slave_surface;
-    std::vector<types::global_dof_index> slave_nodes;
-    std::vector<types::global_dof_index> master_nodes;
-    MortarCoupling<dim>                  coupling;
+    const FaultSurface<dim> &slave, &master;
+    FaultSides               sides;
+    FaultAxes<dim>           axes;
+    MortarCoupling<dim>      coupling;
 
     /** Diameter of the smallest face of the two sides, m. */
     double smallest_face = 0;
@@ -83,8 +80,8 @@ namespace StickSlip
      * @param axes One entry a fault, at its slave nodes.
      * @param displacements One entry a fault, which is coupled as it is after
      *   these.
-     * @param dirichlet Nodes with a component masked here are no contact
-     *   nodes; at least over the owned nodes of the level.
+     * @param excluded One entry a fault: the slave nodes that are no contact
+     *   nodes, see excluded_nodes().
      *
      * Collective.
      */
@@ -92,7 +89,7 @@ namespace StickSlip
               const std::vector<FaultSides>             &sides,
               const std::vector<FaultAxes<dim>>         &axes,
               const std::vector<FaultDisplacement<dim>> &displacements,
-              const NodeMask                            &dirichlet);
+              const std::vector<std::vector<bool>>      &excluded);
 
     const std::vector<FaultContact<dim>> &
     faults() const

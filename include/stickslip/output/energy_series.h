@@ -52,7 +52,7 @@ namespace StickSlip
 
     /** The file as it is now. */
     FileState
-    state() const
+    state()
     {
       return file.state();
     }

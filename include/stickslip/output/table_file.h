@@ -13,9 +13,9 @@
 namespace StickSlip
 {
   /**
-   * A text file that is written row by row, each of which reaches the file at
-   * once and as a whole: where there is no space for it, the file ends with the
-   * one before. Numbers have 17 significant digits.
+   * A text file that is written row by row, each of which reaches the file as a
+   * whole: where there is no space for it, the file ends with the one before.
+   * Numbers have 17 significant digits.
    */
   class TableFile
   {
@@ -31,6 +31,7 @@ namespace StickSlip
     TableFile &
     operator=(const TableFile &) = delete;
 
+    /** Writes the rows that wait, if that is possible. */
     ~TableFile();
 
     /** Add to the present row. */
@@ -42,39 +43,59 @@ namespace StickSlip
         add_number(value);
       else if constexpr (std::is_integral<T>::value &&
                          !std::is_same<T, char>::value)
-        row += std::to_string(value);
+        rows += std::to_string(value);
       else
-        row += value;
+        rows += value;
       return *this;
     }
 
-    /** Write the present row. Throws InputError if that is impossible. */
+    /** Write the present row, and those that wait. Throws InputError if that is
+     * impossible. */
     void
     end_row();
 
-    /** The file as it is now. */
+    /** End the present row, which may wait for the next ones if the last
+     * writing was less than a tenth of a second ago: for rows that come fast,
+     * since each writing is a call of the system. Throws as end_row(). */
+    void
+    end_waiting_row();
+
+    /** Write the rows that wait. Throws as end_row(). */
+    void
+    write_waiting_rows();
+
+    /** The file as it is now; writes the rows that wait. */
     FileState
-    state() const;
+    state();
 
   private:
     void
     add_number(const double value);
 
-    /** Write the present row; returns zero or the number of an error. */
+    /** Write the rows that are complete; returns zero or the number of an
+     * error. */
     int
-    write_row();
+    write_rows();
 
     /** True unless the file has been deleted or its folder has been. */
     bool
-    is_there();
+    has_name() const;
 
-    std::string   file_name;
-    int           file = -1;
-    std::string   row;
+    /** Cut what is in the file of a row that is not there as a whole. */
+    void
+    keep_whole_rows() const;
+
+    std::string file_name;
+    int         file = -1;
+    /** Rows that are not in the file, and the length of those that are
+     * complete. */
+    std::string rows;
+    std::size_t complete = 0;
+
+    /** Length of the file up to its last whole row. */
     std::uint64_t size = 0;
 
-    /** The last look for the file under its name. */
-    std::chrono::steady_clock::time_point last_look;
+    std::chrono::steady_clock::time_point last_writing;
   };
 } // namespace StickSlip
 

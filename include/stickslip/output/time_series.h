@@ -18,8 +18,8 @@ namespace StickSlip
    * the columns of StepRecord and, for each fault, those of FaultStatistics, in
    * SI units and with 17 significant digits. Faults that may open have those of
    * OpeningStatistics as well, largest_gap and open_area; of faults that bend
-   * and may not open there is the largest gap between their sides so far. Each
-   * row reaches the file at once.
+   * and may not open there is the largest gap between their sides so far. Rows
+   * of steps that take less than a tenth of a second reach the file together.
    */
   template <int dim>
   class TimeSeries
@@ -44,11 +44,18 @@ namespace StickSlip
     static TableColumns
     columns(const std::vector<FaultSnapshot<dim>> &faults);
 
-    /** The file as it is now. */
+    /** The file as it is now; writes the rows that wait. */
     FileState
-    state() const
+    state()
     {
       return file.state();
+    }
+
+    /** Write the rows that wait. Throws InputError if that is impossible. */
+    void
+    finish()
+    {
+      file.write_waiting_rows();
     }
 
     /**

@@ -171,6 +171,8 @@ namespace StickSlip
      * faults stay. */
     std::vector<FaultAxes<dim>> axes;
     std::vector<NodeMask>       dirichlet_masks;
+    /** See excluded_nodes(), level by level. */
+    std::vector<std::vector<std::vector<bool>>> excluded;
     /** Axes of nodes that boundary conditions ask for, level by level. */
     std::vector<NodeFrames<n_components>> boundary_frames;
     /** Null where friction acts on all faults. */
