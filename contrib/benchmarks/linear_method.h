@@ -20,9 +20,6 @@ namespace Measure
    * problems are asked for. */
   constexpr double tolerance = 1e-8;
 
-  /** Reduction of the residual for what errors are found from. */
-  constexpr double reference_reduction = 1e-14;
-
   constexpr unsigned int max_iterations = 1000;
 
 
@@ -72,8 +69,9 @@ namespace Measure
                 VectorType           &x,
                 const VectorType     &b)
   {
-    x = 0.;
-    SolverControl control(max_iterations, reference_reduction * b.l2_norm());
+    constexpr double reduction = 1e-14;
+    x                          = 0.;
+    SolverControl        control(max_iterations, reduction * b.l2_norm());
     SolverCG<VectorType> solver(control);
     solver.solve(A, x, b, preconditioner);
   }

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 
 namespace StickSlip
 {
@@ -56,8 +57,7 @@ namespace StickSlip
   {
     if (file < 0)
       return;
-    if (write_rows() != 0)
-      keep_whole_rows();
+    write_rows();
     ::close(file);
   }
 
@@ -83,33 +83,27 @@ namespace StickSlip
   {
     if (file < 0)
       return EBADF;
-    std::size_t n_written = 0;
-    int         error     = 0;
+    const std::string_view text      = rows;
+    const std::size_t      complete  = text.rfind('\n') + 1;
+    std::size_t            n_written = 0;
+    int                    error     = 0;
     while (n_written < complete && error == 0)
       {
         const ssize_t n =
-          ::write(file, rows.data() + n_written, complete - n_written);
+          ::write(file, text.data() + n_written, complete - n_written);
         if (n >= 0)
           n_written += n;
         else if (errno != EINTR)
           error = errno;
       }
-    // Rows that are in the file as a whole.
-    if (n_written < complete)
-      n_written = n_written == 0 ? 0 : rows.rfind('\n', n_written - 1) + 1;
-    size += n_written;
+    size += text.substr(0, n_written).rfind('\n') + 1;
     rows.erase(0, complete);
-    complete = 0;
+    if (error != 0)
+      {
+        // Not by its name, which may be that of another file by now.
+        [[maybe_unused]] const int status = ::ftruncate(file, size);
+      }
     return error;
-  }
-
-
-
-  void
-  TableFile::keep_whole_rows() const
-  {
-    // Not by its name, which may be that of another file by now.
-    [[maybe_unused]] const int status = ::ftruncate(file, size);
   }
 
 
@@ -140,7 +134,6 @@ namespace StickSlip
       reason = "it is not there any more";
     else if (file >= 0)
       reason = std::strerror(error);
-    keep_whole_rows();
     throw InputError("The file '" + file_name + "' cannot be written" +
                      (reason.empty() ? "" : " (" + reason + ")") + ".");
   }
@@ -151,7 +144,6 @@ namespace StickSlip
   TableFile::end_row()
   {
     rows += '\n';
-    complete = rows.size();
     write_waiting_rows();
   }
 
@@ -162,7 +154,6 @@ namespace StickSlip
   {
     constexpr std::chrono::milliseconds interval(100);
     rows += '\n';
-    complete = rows.size();
     if (std::chrono::steady_clock::now() - last_writing >= interval)
       write_waiting_rows();
   }

@@ -5,7 +5,6 @@
 
 #include <stickslip/algebra/index_set.h>
 #include <stickslip/base/agreed_failure.h>
-#include <stickslip/base/freed_memory.h>
 #include <stickslip/base/input_error.h>
 #include <stickslip/base/make_set.h>
 #include <stickslip/mortar/excluded_nodes.h>
@@ -345,8 +344,6 @@ namespace StickSlip
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
     largest_gaps = std::move(mapping.gaps);
-    if (finest.nodes.nodes()->n_mpi_processes() > 1)
-      give_back_freed_memory();
   }
 
 

@@ -72,8 +72,8 @@ namespace StickSlip
     void
     add_number(const double value);
 
-    /** Write the rows that are complete; returns zero or the number of an
-     * error. */
+    /** Write the rows that are complete, or those of them for which there is
+     * space; returns zero or the number of an error. */
     int
     write_rows();
 
@@ -81,16 +81,10 @@ namespace StickSlip
     bool
     has_name() const;
 
-    /** Cut what is in the file of a row that is not there as a whole. */
-    void
-    keep_whole_rows() const;
-
     std::string file_name;
     int         file = -1;
-    /** Rows that are not in the file, and the length of those that are
-     * complete. */
+    /** Rows that are not in the file, the last one perhaps not complete. */
     std::string rows;
-    std::size_t complete = 0;
 
     /** Length of the file up to its last whole row. */
     std::uint64_t size = 0;
