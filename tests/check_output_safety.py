@@ -23,7 +23,7 @@ SCENE = re.search(
     r'R"\((.*?)\)"', (TESTS / "creeping_scene.h").read_text(), re.DOTALL
 ).group(1)
 SHORT = ["--set", "Time/End time=0.2"]
-LONG = ["--set", "Time/End time=1e5", "--set", "Contact/Follow slip=false"]
+LONG = ["--set", "Time/End time=1e7", "--set", "Contact/Follow slip=false"]
 REFUSED = "the results of another run are there; '--overwrite' replaces them"
 
 problems = []
