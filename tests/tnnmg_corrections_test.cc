@@ -98,7 +98,8 @@ namespace
           NodalVector &A_x,
           NodalVector &,
           const double,
-          const bool) override
+          const bool,
+          const unsigned int) override
     {
       x   = 0.;
       A_x = 0.;

@@ -73,7 +73,8 @@ namespace Measure
                             NodalVector &A_x,
                             NodalVector &r,
                             const double,
-                            const bool)
+                            const bool,
+                            const unsigned int most_cycles)
   {
     constexpr unsigned int min_steps = 1, max_steps = 200;
     constexpr double       reduction = 1e-2;
@@ -84,7 +85,7 @@ namespace Measure
         active.apply(z);
       },
       min_steps,
-      max_steps,
+      std::min(max_steps, most_cycles),
       reduction,
       x,
       A_x,

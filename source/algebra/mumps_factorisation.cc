@@ -39,6 +39,9 @@ namespace StickSlip
     std::shared_ptr<const BlockSparsity> source;
     std::vector<int>                     row, column;
     std::vector<double>                  value, schur;
+    /** Space for small factors. For its own MUMPS would ask for new pages with
+     * each factorisation, which can take longer than that. */
+    std::vector<double> workspace;
 
     Implementation(const std::vector<types::global_dof_index> &retained_entries,
                    const NodePartition                        *all_nodes)
@@ -154,6 +157,27 @@ namespace StickSlip
       mumps.a = mumps.a_loc = value.data();
     }
 
+    /** Factorise, in the workspace if the factors are small; returns 0 or the
+     * number of an error. */
+    int
+    factorise_in_workspace()
+    {
+      // Negative for what does not fit an int.
+      const MUMPS_INT estimate = mumps.info[7], most = 1 << 24;
+      if (estimate > 0 && estimate <= most)
+        {
+          const std::size_t size =
+            estimate + std::size_t(estimate) * control(14) / 100 + 1000;
+          if (workspace.size() < size)
+            workspace = std::vector<double>(size);
+          mumps.wk_user = workspace.data();
+        }
+      else
+        workspace.clear();
+      mumps.lwk_user = workspace.size();
+      return run(factorise);
+    }
+
     types::global_dof_index
     global_node(const unsigned int node) const
     {
@@ -227,7 +251,7 @@ namespace StickSlip
     else
       data.set_values(matrix, mask);
 
-    int error = data.run(Implementation::factorise);
+    int error = data.factorise_in_workspace();
     // The estimate of the space is exceeded at times.
     for (unsigned int attempt = 0;
          attempt < 5 &&
@@ -235,7 +259,7 @@ namespace StickSlip
          ++attempt)
       {
         data.control(14) = 2 * data.control(14) + 20;
-        error            = data.run(Implementation::factorise);
+        error            = data.factorise_in_workspace();
       }
     AssertThrow(error != out_of_memory,
                 ExcMessage("MUMPS has not enough memory."));

@@ -292,7 +292,8 @@ namespace StickSlip
                                          NodalVector &S_x,
                                          NodalVector &r,
                                          const double,
-                                         const bool)
+                                         const bool,
+                                         const unsigned int)
   {
     std::vector<bool> is_active(entries.size());
     for (unsigned int i = 0; i < entries.size(); ++i)

@@ -14,8 +14,11 @@ namespace StickSlip
 {
   namespace
   {
-    /** The number of unknowns from which on MUMPS is faster than KLU. */
-    constexpr unsigned int large_matrix = 1500;
+    /** The number of unknowns from which on MUMPS is faster than KLU, for a
+     * factorisation and a dozen solutions. In three dimensions KLU has far more
+     * to do. */
+    template <int n_components>
+    constexpr unsigned int large_matrix = n_components == 3 ? 700 : 5000;
 
 
 
@@ -52,7 +55,7 @@ namespace StickSlip
     const BlockMatrix<n_components> &matrix,
     const NodeMask                  &mask)
   {
-    if (matrix.n_rows() * n_components >= large_matrix)
+    if (matrix.n_rows() * n_components >= large_matrix<n_components>)
       {
         if (!mumps)
           mumps = std::make_unique<MumpsFactorisation<n_components>>();

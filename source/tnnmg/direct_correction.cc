@@ -45,7 +45,8 @@ namespace StickSlip
                                         NodalVector &A_x,
                                         NodalVector &r,
                                         const double,
-                                        const bool)
+                                        const bool,
+                                        const unsigned int)
   {
     factorisation->solve(x, r);
     active.apply(x);

@@ -47,11 +47,12 @@ namespace StickSlip
 
   template <int n_components>
   unsigned int
-  MultigridCorrection<n_components>::solve(NodalVector &x,
-                                           NodalVector &A_x,
-                                           NodalVector &r,
-                                           const double norm,
-                                           const bool   is_outdated)
+  MultigridCorrection<n_components>::solve(NodalVector       &x,
+                                           NodalVector       &A_x,
+                                           NodalVector       &r,
+                                           const double       norm,
+                                           const bool         is_outdated,
+                                           const unsigned int most_cycles)
   {
     hierarchy.linearise_coarse_levels(is_outdated);
     const bool is_single     = n_solved++ < parameters.single_cycle_corrections;
@@ -63,8 +64,8 @@ namespace StickSlip
       [&](NodalVector &z, const NodalVector &b) {
         hierarchy.v_cycle(z, b, norm);
       },
-      least,
-      most,
+      std::min(least, most_cycles),
+      std::min(most, most_cycles),
       parameters.linear_reduction,
       x,
       A_x,

@@ -42,9 +42,11 @@ namespace StickSlip
         summary.iterations.push_back(iterate(functional, b, w));
         if (!std::isfinite(summary.iterations.back().correction_norm))
           break;
-        const auto last   = summary.iterations.rbegin();
-        summary.converged = has_converged(
-          *last, summary.iterations.size() > 1 ? &*std::next(last) : nullptr);
+        const auto              last = summary.iterations.rbegin();
+        const IterationSummary *before =
+          summary.iterations.size() > 1 ? &*std::next(last) : nullptr;
+        summary.converged = has_converged(*last, before);
+        most_cycles = last->sufficient_cycles(before, parameters.tolerance);
       }
     finish(b, w);
     return summary;
@@ -288,7 +290,8 @@ namespace StickSlip
                            A_correction,
                            force,
                            std::sqrt(its.square),
-                           its.is_outdated);
+                           its.is_outdated,
+                           most_cycles);
     };
     if (!functional.has_bounds())
       return correct(problem);

@@ -148,13 +148,14 @@ namespace StickSlip
 
   template <int n_components>
   unsigned int
-  TNNMGSolver<n_components>::correct(NodalVector &x,
-                                     NodalVector &A_x,
-                                     NodalVector &r,
-                                     const double norm,
-                                     const bool   is_outdated)
+  TNNMGSolver<n_components>::correct(NodalVector       &x,
+                                     NodalVector       &A_x,
+                                     NodalVector       &r,
+                                     const double       norm,
+                                     const bool         is_outdated,
+                                     const unsigned int most_cycles)
   {
-    return linear_correction->solve(x, A_x, r, norm, is_outdated);
+    return linear_correction->solve(x, A_x, r, norm, is_outdated, most_cycles);
   }
 
 

@@ -97,11 +97,12 @@ namespace StickSlip
     diagonal_block(const unsigned int k) const override;
 
     unsigned int
-    correct(NodalVector &x,
-            NodalVector &A_x,
-            NodalVector &r,
-            const double norm,
-            const bool   is_outdated) override;
+    correct(NodalVector       &x,
+            NodalVector       &A_x,
+            NodalVector       &r,
+            const double       norm,
+            const bool         is_outdated,
+            const unsigned int most_cycles) override;
 
     /** The entries of F in a vector of the nonsmooth nodes. */
     std::vector<double>

@@ -27,11 +27,12 @@ namespace StickSlip
               const NodeMask                             &active) override;
 
     unsigned int
-    solve(NodalVector &x,
-          NodalVector &A_x,
-          NodalVector &r,
-          const double norm,
-          const bool   is_outdated) override;
+    solve(NodalVector       &x,
+          NodalVector       &A_x,
+          NodalVector       &r,
+          const double       norm,
+          const bool         is_outdated,
+          const unsigned int most_cycles) override;
 
   private:
     OperatorSum<n_components>                         &operators;
