@@ -98,8 +98,7 @@ namespace
           NodalVector &A_x,
           NodalVector &,
           const double,
-          const bool,
-          const unsigned int) override
+          const bool) override
     {
       x   = 0.;
       A_x = 0.;

@@ -73,8 +73,7 @@ namespace Measure
                             NodalVector &A_x,
                             NodalVector &r,
                             const double,
-                            const bool,
-                            const unsigned int most_cycles)
+                            const bool)
   {
     constexpr unsigned int min_steps = 1, max_steps = 200;
     constexpr double       reduction = 1e-2;
@@ -85,7 +84,7 @@ namespace Measure
         active.apply(z);
       },
       min_steps,
-      std::min(max_steps, most_cycles),
+      max_steps,
       reduction,
       x,
       A_x,

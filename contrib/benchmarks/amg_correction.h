@@ -34,12 +34,11 @@ namespace Measure
     /** Ends after 200 steps at the latest; what it has by then still is a
      * direction of descent. */
     unsigned int
-    solve(NodalVector       &x,
-          NodalVector       &A_x,
-          NodalVector       &r,
-          const double       norm,
-          const bool         is_outdated,
-          const unsigned int most_cycles) override;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) override;
 
   private:
     /** True if the present cycles serve a linearisation. */

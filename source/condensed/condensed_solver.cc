@@ -292,8 +292,7 @@ namespace StickSlip
                                          NodalVector &S_x,
                                          NodalVector &r,
                                          const double,
-                                         const bool,
-                                         const unsigned int)
+                                         const bool)
   {
     std::vector<bool> is_active(entries.size());
     for (unsigned int i = 0; i < entries.size(); ++i)

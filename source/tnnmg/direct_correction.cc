@@ -45,8 +45,7 @@ namespace StickSlip
                                         NodalVector &A_x,
                                         NodalVector &r,
                                         const double,
-                                        const bool,
-                                        const unsigned int)
+                                        const bool)
   {
     factorisation->solve(x, r);
     active.apply(x);

@@ -4,31 +4,10 @@
 #include <stickslip/tnnmg/iteration_summary.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
-#include <limits>
 
 namespace StickSlip
 {
-  namespace
-  {
-    /** The factor by which corrections shrink from one to the next, or 1 if
-     * nothing tells that they do, see IterationSummary::relative_error(). */
-    double
-    reduction(const IterationSummary *before, const IterationSummary &last)
-    {
-      constexpr double small = 0.1, fast = 0.1, fastest = 0.02;
-      // Written so that a NaN and zero over zero make no difference.
-      if (before && before->relative_correction() < small &&
-          last.correction_norm < fast * before->correction_norm)
-        return std::max(last.correction_norm / before->correction_norm,
-                        fastest);
-      return 1.;
-    }
-  } // namespace
-
-
-
   double
   IterationSummary::relative_correction() const
   {
@@ -41,32 +20,16 @@ namespace StickSlip
   double
   IterationSummary::relative_error(const IterationSummary *before) const
   {
-    const double q = reduction(before, *this);
-    if (q == 1.)
-      return relative_correction();
-    const double of_this = cycles < before->cycles ?
-                             std::pow(q, double(cycles) / before->cycles) :
-                             q;
-    return of_this / (1. - of_this) * relative_correction();
-  }
-
-
-
-  unsigned int
-  IterationSummary::sufficient_cycles(const IterationSummary *before,
-                                      const double            tolerance) const
-  {
-    constexpr unsigned int any = std::numeric_limits<unsigned int>::max();
-    const double           q   = reduction(before, *this);
-    if (q == 1.)
-      return any;
-    // The next correction will be as large as the error, and the factor f has
-    // to be such that f / (1 - f) times the error is the tolerance.
-    const double f      = tolerance / (tolerance + relative_error(before));
-    const double number = std::ceil(std::log(f) / std::log(q) * cycles);
-    // Written so that a NaN counts as too large.
-    constexpr double many = 1000.;
-    return number < many ? std::max(1., number) : any;
+    constexpr double small = 0.1, fast = 0.1, fastest = 0.02;
+    // Written so that a NaN and zero over zero make no difference.
+    if (before && before->relative_correction() < small &&
+        correction_norm < fast * before->correction_norm)
+      {
+        const double q =
+          std::max(correction_norm / before->correction_norm, fastest);
+        return q / (1. - q) * relative_correction();
+      }
+    return relative_correction();
   }
 
 

@@ -47,12 +47,11 @@ namespace StickSlip
 
   template <int n_components>
   unsigned int
-  MultigridCorrection<n_components>::solve(NodalVector       &x,
-                                           NodalVector       &A_x,
-                                           NodalVector       &r,
-                                           const double       norm,
-                                           const bool         is_outdated,
-                                           const unsigned int most_cycles)
+  MultigridCorrection<n_components>::solve(NodalVector &x,
+                                           NodalVector &A_x,
+                                           NodalVector &r,
+                                           const double norm,
+                                           const bool   is_outdated)
   {
     hierarchy.linearise_coarse_levels(is_outdated);
     const bool is_single     = n_solved++ < parameters.single_cycle_corrections;
@@ -64,8 +63,8 @@ namespace StickSlip
       [&](NodalVector &z, const NodalVector &b) {
         hierarchy.v_cycle(z, b, norm);
       },
-      std::min(least, most_cycles),
-      std::min(most, most_cycles),
+      least,
+      most,
       parameters.linear_reduction,
       x,
       A_x,

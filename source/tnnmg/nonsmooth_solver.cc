@@ -42,11 +42,9 @@ namespace StickSlip
         summary.iterations.push_back(iterate(functional, b, w));
         if (!std::isfinite(summary.iterations.back().correction_norm))
           break;
-        const auto              last = summary.iterations.rbegin();
-        const IterationSummary *before =
-          summary.iterations.size() > 1 ? &*std::next(last) : nullptr;
-        summary.converged = has_converged(*last, before);
-        most_cycles = last->sufficient_cycles(before, parameters.tolerance);
+        const auto last   = summary.iterations.rbegin();
+        summary.converged = has_converged(
+          *last, summary.iterations.size() > 1 ? &*std::next(last) : nullptr);
       }
     finish(b, w);
     return summary;
@@ -290,8 +288,7 @@ namespace StickSlip
                            A_correction,
                            force,
                            std::sqrt(its.square),
-                           its.is_outdated,
-                           most_cycles);
+                           its.is_outdated);
     };
     if (!functional.has_bounds())
       return correct(problem);

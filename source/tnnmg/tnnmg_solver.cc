@@ -148,14 +148,13 @@ namespace StickSlip
 
   template <int n_components>
   unsigned int
-  TNNMGSolver<n_components>::correct(NodalVector       &x,
-                                     NodalVector       &A_x,
-                                     NodalVector       &r,
-                                     const double       norm,
-                                     const bool         is_outdated,
-                                     const unsigned int most_cycles)
+  TNNMGSolver<n_components>::correct(NodalVector &x,
+                                     NodalVector &A_x,
+                                     NodalVector &r,
+                                     const double norm,
+                                     const bool   is_outdated)
   {
-    return linear_correction->solve(x, A_x, r, norm, is_outdated, most_cycles);
+    return linear_correction->solve(x, A_x, r, norm, is_outdated);
   }
 
 

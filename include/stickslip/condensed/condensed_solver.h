@@ -97,12 +97,11 @@ namespace StickSlip
     diagonal_block(const unsigned int k) const override;
 
     unsigned int
-    correct(NodalVector       &x,
-            NodalVector       &A_x,
-            NodalVector       &r,
-            const double       norm,
-            const bool         is_outdated,
-            const unsigned int most_cycles) override;
+    correct(NodalVector &x,
+            NodalVector &A_x,
+            NodalVector &r,
+            const double norm,
+            const bool   is_outdated) override;
 
     /** The entries of F in a vector of the nonsmooth nodes. */
     std::vector<double>

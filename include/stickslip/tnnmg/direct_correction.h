@@ -27,12 +27,11 @@ namespace StickSlip
               const NodeMask                             &active) override;
 
     unsigned int
-    solve(NodalVector       &x,
-          NodalVector       &A_x,
-          NodalVector       &r,
-          const double       norm,
-          const bool         is_outdated,
-          const unsigned int most_cycles) override;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) override;
 
   private:
     OperatorSum<n_components>                         &operators;

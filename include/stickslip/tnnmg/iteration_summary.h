@@ -49,19 +49,10 @@ namespace StickSlip
      * is trusted where q < 0.1 and the correction @p before this was below a
      * tenth of the iterate, and not for q below 0.02, with which a few cycles
      * go on at best; elsewhere, and without a correction before, it is the size
-     * of this one. The factor belongs to the cycles before; of fewer of them
-     * each gives its part.
+     * of this one.
      */
     double
     relative_error(const IterationSummary *before) const;
-
-    /**
-     * V-cycles of a next iteration that are expected to bring the error below a
-     * tolerance; the largest number if nothing tells.
-     */
-    unsigned int
-    sufficient_cycles(const IterationSummary *before,
-                      const double            tolerance) const;
   };
 
   /**

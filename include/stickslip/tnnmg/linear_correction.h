@@ -49,17 +49,16 @@ namespace StickSlip
      * Find @p x and its product @p A_x with A alone, in all components of the
      * owned nodes. @p r holds S r at first, of @p norm on all processes, and is
      * work space after that. @p is_outdated: what linearise() has returned on
-     * any process. More than @p most_cycles are not needed. Returns the
-     * multigrid cycles, applications of a preconditioner or direct solves
-     * spent. Throws SingularMatrix; A is as before then.
+     * any process. Returns the multigrid cycles, applications of a
+     * preconditioner or direct solves spent. Throws SingularMatrix; A is as
+     * before then.
      */
     virtual unsigned int
-    solve(NodalVector       &x,
-          NodalVector       &A_x,
-          NodalVector       &r,
-          const double       norm,
-          const bool         is_outdated,
-          const unsigned int most_cycles) = 0;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) = 0;
 
     /** Linearisations kept for later problems, see NonsmoothSolver. */
     virtual std::vector<KeptLinearisation<n_components>>

@@ -29,12 +29,11 @@ namespace StickSlip
               const NodeMask                             &active) override;
 
     unsigned int
-    solve(NodalVector       &x,
-          NodalVector       &A_x,
-          NodalVector       &r,
-          const double       norm,
-          const bool         is_outdated,
-          const unsigned int most_cycles) override;
+    solve(NodalVector &x,
+          NodalVector &A_x,
+          NodalVector &r,
+          const double norm,
+          const bool   is_outdated) override;
 
     std::vector<KeptLinearisation<n_components>>
     kept_linearisations() const override;

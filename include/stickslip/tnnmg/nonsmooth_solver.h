@@ -150,12 +150,11 @@ namespace StickSlip
 
     /** Step 3, see LinearCorrection::solve(). */
     virtual unsigned int
-    correct(NodalVector       &x,
-            NodalVector       &A_x,
-            NodalVector       &r,
-            const double       norm,
-            const bool         is_outdated,
-            const unsigned int most_cycles) = 0;
+    correct(NodalVector &x,
+            NodalVector &A_x,
+            NodalVector &r,
+            const double norm,
+            const bool   is_outdated) = 0;
 
     const Unknowns         unknowns;
     const TNNMGParameters &parameters;
@@ -173,7 +172,6 @@ namespace StickSlip
     restart()
     {
       last_was_slow        = false;
-      most_cycles          = numbers::invalid_unsigned_int;
       last_correction_norm = std::numeric_limits<double>::infinity();
     }
 
@@ -184,8 +182,6 @@ namespace StickSlip
   private:
     /** True after a slow iteration. */
     bool last_was_slow = false;
-    /** Cycles that the next correction is worth. */
-    unsigned int most_cycles = numbers::invalid_unsigned_int;
     /** True if the sweep of the current iteration goes over all nodes. */
     bool   sweeps_everywhere    = false;
     double last_correction_norm = std::numeric_limits<double>::infinity();

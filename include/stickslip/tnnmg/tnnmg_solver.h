@@ -79,12 +79,11 @@ namespace StickSlip
     take_linearisation() override;
 
     unsigned int
-    correct(NodalVector       &x,
-            NodalVector       &A_x,
-            NodalVector       &r,
-            const double       norm,
-            const bool         is_outdated,
-            const unsigned int most_cycles) override;
+    correct(NodalVector &x,
+            NodalVector &A_x,
+            NodalVector &r,
+            const double norm,
+            const bool   is_outdated) override;
 
     const OperatorSum<n_components>                &operators;
     NonlinearGaussSeidel<n_components>              smoother;
