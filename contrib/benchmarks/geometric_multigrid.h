@@ -5,6 +5,8 @@
 #define stickslip_contrib_geometric_multigrid_h
 
 #include <deal.II/base/mg_level_object.h>
+// Before mg_constrained_dofs.h, which does not include it in deal.II 9.6.
+#include <deal.II/fe/component_mask.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/multigrid/mg_constrained_dofs.h>
