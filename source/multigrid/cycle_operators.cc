@@ -199,6 +199,21 @@ namespace StickSlip
 
 
   template <int n_components, typename Number>
+  Tensor<2, n_components>
+  CycleOperators<n_components, Number>::combine_coarse_diagonal(
+    const unsigned int         l,
+    const std::vector<double> &coefficients,
+    const unsigned int         row) const
+  {
+    Tensor<2, n_components> sum;
+    for (unsigned int t = 0; t < levels[l].terms.size(); ++t)
+      sum += coefficients[t] * levels[l].terms[t].diagonal_block(row);
+    return sum;
+  }
+
+
+
+  template <int n_components, typename Number>
   void
   CycleOperators<n_components, Number>::factorise_smoothers()
   {

@@ -281,6 +281,21 @@ namespace StickSlip
 
 
   template <int n_components>
+  Tensor<2, n_components>
+  LevelHierarchy<n_components>::diagonal_on_level(const unsigned int l,
+                                                  const unsigned int row) const
+  {
+    AssertIndexRange(l, levels.size());
+    if (l + 1 == levels.size())
+      return A.matrix().diagonal_block(row);
+    Assert(cycle && version == A.version(),
+           ExcMessage("take_over_operator() comes first."));
+    return cycle->combine_coarse_diagonal(l, coefficients, row);
+  }
+
+
+
+  template <int n_components>
   void
   LevelHierarchy<n_components>::set_coarse_update_threshold(
     const double threshold)

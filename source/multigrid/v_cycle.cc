@@ -57,6 +57,11 @@ namespace StickSlip
       combine_coarse(const unsigned int         l,
                      const std::vector<double> &coefficients) const override;
 
+      Tensor<2, n_components>
+      combine_coarse_diagonal(const unsigned int         l,
+                              const std::vector<double> &coefficients,
+                              const unsigned int         row) const override;
+
       void
       set_smoothing_sweeps(const unsigned int sweeps) override;
 
@@ -384,6 +389,18 @@ namespace StickSlip
         operators.coarse_matrix(l).shared_sparsity());
       operators.combine_coarse(l, coefficients, sum);
       return in_double_precision(sum);
+    }
+
+
+
+    template <int n_components, typename Number>
+    Tensor<2, n_components>
+    VCycleIn<n_components, Number>::combine_coarse_diagonal(
+      const unsigned int         l,
+      const std::vector<double> &coefficients,
+      const unsigned int         row) const
+    {
+      return operators.combine_coarse_diagonal(l, coefficients, row);
     }
 
 

@@ -121,15 +121,16 @@ namespace StickSlip
 
 
 
-    /** The sum of the diagonal at the nonsmooth nodes of this process. */
+    /** The sum of the diagonal on a level at the nonsmooth nodes of this
+     * process. */
     template <int n_components>
     double
-    nonsmooth_trace(const LevelDescription<n_components> &level,
-                    const BlockMatrix<n_components>      &A)
+    nonsmooth_trace(const LevelHierarchy<n_components> &hierarchy,
+                    const unsigned int                  level)
     {
       double sum = 0.;
-      for (const unsigned int i : level.nonsmooth_nodes)
-        sum += trace(A.diagonal_block(i));
+      for (const unsigned int i : hierarchy.description(level).nonsmooth_nodes)
+        sum += trace(hierarchy.diagonal_on_level(level, i));
       return sum;
     }
   } // namespace
@@ -152,11 +153,9 @@ namespace StickSlip
 
     // From a level to the next coarser one the trace of a mass is doubled in
     // all dimensions, that of a stiffness halved.
-    const BlockMatrix<n_components> A = hierarchy.operator_on_level(level);
     const auto [trace_here, trace_above] =
-      sums<2>({{nonsmooth_trace(coarse, A),
-                nonsmooth_trace(hierarchy.description(level + 1),
-                                hierarchy.operator_on_level(level + 1))}},
+      sums<2>({{nonsmooth_trace(hierarchy, level),
+                nonsmooth_trace(hierarchy, level + 1)}},
               coarse.nodes.communicator());
     if (trace_here > 0.6 * trace_above || trace_above == 0.)
       return false;
@@ -164,7 +163,8 @@ namespace StickSlip
     std::vector<LevelDescription<n_components>> levels;
     for (unsigned int l = 0; l <= level; ++l)
       levels.push_back(hierarchy.description(l));
-    OperatorSum<n_components> operators(coarse, {A});
+    OperatorSum<n_components> operators(coarse,
+                                        {hierarchy.operator_on_level(level)});
     operators.combine({1.});
     LevelHierarchy<n_components> coarse_hierarchy(operators, levels);
     TNNMGParameters              coarse_parameters = parameters;

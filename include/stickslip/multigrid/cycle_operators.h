@@ -80,6 +80,12 @@ namespace StickSlip
                    const std::vector<double>         &coefficients,
                    BlockMatrix<n_components, Number> &sum) const;
 
+    /** The diagonal block of a row of that sum. */
+    Tensor<2, n_components>
+    combine_coarse_diagonal(const unsigned int         l,
+                            const std::vector<double> &coefficients,
+                            const unsigned int         row) const;
+
     /** The components that take part on a coarse level. */
     const NodeMask &
     active(const unsigned int l) const;

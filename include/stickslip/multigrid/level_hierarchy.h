@@ -124,6 +124,10 @@ namespace StickSlip
     BlockMatrix<n_components>
     operator_on_level(const unsigned int l) const;
 
+    /** The diagonal block of a row of that. */
+    Tensor<2, n_components>
+    diagonal_on_level(const unsigned int l, const unsigned int row) const;
+
     /** Number of sweeps before and after the coarse grid correction. */
     void
     set_smoothing_sweeps(const unsigned int sweeps);

@@ -87,6 +87,12 @@ namespace StickSlip
     combine_coarse(const unsigned int         l,
                    const std::vector<double> &coefficients) const = 0;
 
+    /** The diagonal block of a row of that sum. */
+    virtual Tensor<2, n_components>
+    combine_coarse_diagonal(const unsigned int         l,
+                            const std::vector<double> &coefficients,
+                            const unsigned int         row) const = 0;
+
     /** Number of sweeps before and after the coarse grid correction. */
     virtual void
     set_smoothing_sweeps(const unsigned int sweeps) = 0;
