@@ -34,13 +34,13 @@ namespace
     NodePartition             nodes;
     NodalVector               solution, rhs;
 
-    Springs(const unsigned int n, const unsigned int seed, const double hold)
+    explicit Springs(const unsigned int n)
       : mask(n * n * n, n_components)
       , nodes(serial_nodes(n * n * n, n_components))
       , solution(nodes.make_vector())
       , rhs(solution)
     {
-      std::mt19937                           generator(seed);
+      std::mt19937                           generator(n);
       std::uniform_real_distribution<double> number(-1., 1.);
       std::vector<std::vector<unsigned int>> rows(n * n * n);
       const auto at = [n](const int x, const int y, const int z) {
@@ -61,7 +61,7 @@ namespace
       matrix = BlockMatrix<n_components>(sparsity);
       for (unsigned int i = 0; i < sparsity->n_rows(); ++i)
         {
-          add(i, i, hold * unit_symmetric_tensor<n_components>());
+          add(i, i, unit_symmetric_tensor<n_components>());
           for (unsigned int p = sparsity->row_start[i];
                p < sparsity->row_start[i + 1];
                ++p)
@@ -126,7 +126,7 @@ TYPED_TEST(Factorisation, SolvesMatricesOfAllSizesOneAfterTheOther)
   // Smaller ones after larger ones, too, which leave more space than needed.
   for (const unsigned int n : {2, 6, 3, 9, 4})
     {
-      const Springs<n_components> springs(n, n, 1.);
+      const Springs<n_components> springs(n);
       springs.expect_solved_by(mumps);
       springs.expect_solved_by(umfpack);
     }
@@ -138,7 +138,7 @@ TYPED_TEST(Factorisation, TakesOtherValuesWithOneSparsity)
 {
   constexpr int                    n_components = TestFixture::n_components;
   MumpsFactorisation<n_components> mumps;
-  Springs<n_components>            springs(5, 1, 1.);
+  Springs<n_components>            springs(5);
   springs.expect_solved_by(mumps);
   for (const double factor : {1e-6, 3., 1e9})
     {
@@ -155,7 +155,7 @@ TYPED_TEST(Factorisation, GoesOnAfterASingularMatrix)
 {
   constexpr int                    n_components = TestFixture::n_components;
   MumpsFactorisation<n_components> mumps;
-  const Springs<n_components>      springs(4, 1, 1.);
+  const Springs<n_components>      springs(4);
   springs.expect_solved_by(mumps);
   BlockMatrix<n_components> zero = springs.matrix;
   for (double &value : zero.values())
@@ -173,7 +173,7 @@ TYPED_TEST(Factorisation, CoarsestLevelsOfFewAndOfManyUnknowns)
   constexpr unsigned int many[] = {18, 14, 8};
   for (const unsigned int n : {3u, many[n_components - 1]})
     {
-      const Springs<n_components>      springs(n, n, 1.);
+      const Springs<n_components>      springs(n);
       DirectCoarseSolver<n_components> solver;
       springs.expect_solved_by(solver);
       springs.expect_solved_by(solver);
