@@ -5,8 +5,10 @@
 #include <stickslip/mesh/mesh_hierarchy.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "parallel_comparison.h"
+#include "simplex_bodies.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -187,6 +189,106 @@ TEST(ParallelMeshes, EqualThoseOfOneProcess)
       block.refinement_passes   = 2;
     }
   expect_same_meshes<3>({blocks, MPI_COMM_WORLD, 1}, {blocks, MPI_COMM_SELF});
+}
+
+
+
+namespace
+{
+  /** Two bodies on top of each other, of few cells that are refined. */
+  template <int dim>
+  std::vector<BodyGeometry<dim>>
+  two_blocks(const unsigned int uniform_refinements,
+             const unsigned int refinement_passes)
+  {
+    std::vector<BodyGeometry<dim>> blocks(2);
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        blocks[b].base      = b;
+        blocks[b].thickness = 1.;
+        blocks[b].coarse_cells.fill(2);
+        blocks[b].coarse_cells[0]     = 4 - b;
+        blocks[b].uniform_refinements = uniform_refinements;
+        blocks[b].refinement_passes   = refinement_passes;
+      }
+    return blocks;
+  }
+
+
+
+  /** Two bodies with a wave between them. */
+  template <int dim>
+  std::vector<BodyGeometry<dim>>
+  bent_blocks(const unsigned int uniform_refinements,
+              const unsigned int refinement_passes)
+  {
+    auto       blocks = two_blocks<dim>(uniform_refinements, refinement_passes);
+    const auto wave   = [](const Point<dim> &x) {
+      return 1. + 0.05 * std::sin(4. * x[0]) * std::cos(2. * x[dim - 2]);
+    };
+    blocks[0].upper_elevation = wave;
+    blocks[1].lower_elevation = wave;
+    return blocks;
+  }
+
+
+
+  /** Two bodies without ends along the first axis. */
+  template <int dim>
+  std::vector<BodyGeometry<dim>>
+  endless_blocks(const unsigned int uniform_refinements)
+  {
+    auto blocks = two_blocks<dim>(uniform_refinements, 0);
+    for (auto &block : blocks)
+      block.periodic[0] = true;
+    return blocks;
+  }
+
+
+
+  template <int dim>
+  void
+  expect_same_meshes(const std::vector<BodyGeometry<dim>> &bodies)
+  {
+    expect_same_meshes<dim>({bodies, MPI_COMM_WORLD, 1},
+                            {bodies, MPI_COMM_SELF});
+  }
+} // namespace
+
+
+
+TEST(ParallelMeshes, EqualThoseOfOneProcessWhereFaultsBend)
+{
+  expect_same_meshes(bent_blocks<2>(4, 0));
+  expect_same_meshes(bent_blocks<2>(1, 5));
+  expect_same_meshes(bent_blocks<3>(2, 0));
+  expect_same_meshes(bent_blocks<3>(1, 2));
+}
+
+
+
+TEST(ParallelMeshes, EqualThoseOfOneProcessWithoutEnds)
+{
+  expect_same_meshes(endless_blocks<2>(4));
+  expect_same_meshes(endless_blocks<3>(2));
+}
+
+
+
+TEST(ParallelMeshes, EqualThoseOfOneProcessOfSimplices)
+{
+  const FaultTopology topology  = stack_topology<2>({"1", "2"}, {"fault"});
+  const auto          triangles = simplex_bricks(two_blocks<2>(4, 0));
+  expect_same_meshes<2>({triangles, topology, MPI_COMM_WORLD, 1},
+                        {triangles, topology, MPI_COMM_SELF});
+  // Of 24 tetrahedra each.
+  auto bricks            = two_blocks<3>(2, 0);
+  bricks[0].coarse_cells = {{2, 1, 1}};
+  bricks[1].coarse_cells = {{1, 1, 1}};
+  const auto tetrahedra  = simplex_bricks(bricks);
+  expect_same_meshes<3>(
+    {tetrahedra, stack_topology<3>({"1", "2"}, {"fault"}), MPI_COMM_WORLD, 1},
+    {tetrahedra, stack_topology<3>({"1", "2"}, {"fault"}), MPI_COMM_SELF});
 }
 
 

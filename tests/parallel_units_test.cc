@@ -4,6 +4,7 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <gtest/gtest.h>
+#include <stickslip/geometry/fault_shape.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/leaf_cells.h>
 
@@ -27,20 +28,47 @@ namespace
   template <int dim>
   using Mesh = std::shared_ptr<const BodyMesh<dim>>;
 
+  struct Kind
+  {
+    bool has_simplices = false, bends = false, couples_patches = false;
+  };
+
+  template <int dim>
+  class UnitSphere : public FaultShape<dim>
+  {
+  public:
+    virtual Point<dim>
+    place(const Point<dim> &point) const override
+    {
+      return Point<dim>(point / point.norm());
+    }
+  };
+
+
+
   /** Sectors around a centre, whose cells have different axes. The fault is a
    * part of their boundary, and ends in the middle of it. */
   template <int dim>
   CoarseBody<dim>
-  sectors(const RefinementSteps &steps)
+  sectors(const RefinementSteps &steps, const Kind &kind)
   {
+    Triangulation<dim> cubes;
+    GridGenerator::hyper_ball(cubes);
+    cubes.set_all_manifold_ids(numbers::flat_manifold_id);
     const auto mesh = std::make_shared<Triangulation<dim>>();
-    GridGenerator::hyper_ball(*mesh);
-    mesh->set_all_manifold_ids(numbers::flat_manifold_id);
+    if (kind.has_simplices)
+      GridGenerator::convert_hypercube_to_simplex_mesh(cubes, *mesh);
+    else
+      mesh->copy_triangulation(cubes);
     for (const auto &face : mesh->active_face_iterators())
       if (face->at_boundary())
         face->set_boundary_id(
           face->center()[0] + face->center()[1] > 0.1 ? fault_side : 0);
+    if (kind.bends)
+      set_shapes<dim>(*mesh,
+                      {{fault_side, std::make_shared<UnitSphere<dim>>()}});
     CoarseBody<dim> body;
+    body.couples_patches     = kind.couples_patches;
     body.cells               = mesh;
     body.uniform_refinements = steps.uniform;
     body.refinement_passes   = steps.at_faults;
@@ -51,10 +79,10 @@ namespace
 
   template <int dim>
   Mesh<dim>
-  whole_mesh(const RefinementSteps &steps)
+  whole_mesh(const RefinementSteps &steps, const Kind &kind)
   {
     return std::make_shared<BodyMesh<dim>>(
-      sectors<dim>(steps), std::set<types::boundary_id>{fault_side});
+      sectors<dim>(steps, kind), std::set<types::boundary_id>{fault_side});
   }
 
 
@@ -67,6 +95,13 @@ namespace
                    const std::vector<unsigned int> &owners)
   {
     std::vector<unsigned int> result;
+    if (dim == 3 && whole.triangulation().all_reference_cells_are_simplex())
+      {
+        const unsigned int n_parts = whole.n_cells() / units.n_cells();
+        for (unsigned int cell = 0; cell < whole.n_cells(); ++cell)
+          result.push_back(owners[cell / n_parts]);
+        return result;
+      }
     for (const auto &unit : units.triangulation().active_cell_iterators())
       {
         // Units and what is below them have the same name in both meshes.
@@ -167,30 +202,40 @@ namespace
     for (types::global_dof_index i = 0; i < numbers.serial.size(); ++i)
       if (numbers.serial[i] != numbers::invalid_dof_index)
         dof_here[numbers.serial[i]] = i;
-    for (unsigned int number = 0; number < whole_cells.size(); ++number)
-      {
-        bool couples = false;
-        for (const auto v : whole_cells[number]->vertex_indices())
+    whole.patches().for_each(whole_dofs, [&](const auto &patch) {
+      bool couples = false;
+      for (const auto &cell : patch)
+        for (const auto v : cell->vertex_indices())
           {
-            const auto dof = whole_cells[number]->vertex_dof_index(v, 0);
+            const auto dof = cell->vertex_dof_index(v, 0);
             couples |= (owner[dof] == me);
             for (const auto &master : masters(whole.bound_nodes(), dof, same))
               couples |= (owner[master.first] == me);
           }
-        if (!couples)
-          continue;
-        EXPECT_TRUE(is_here[number]);
-        if (!is_here[number])
-          continue;
-        for (const auto v : whole_cells[number]->vertex_indices())
-          {
-            const auto dof = whole_cells[number]->vertex_dof_index(v, 0);
-            EXPECT_EQ(masters(share.bound_nodes(),
-                              dof_here.at(dof),
-                              numbers.serial),
-                      masters(whole.bound_nodes(), dof, same));
-          }
-      }
+      if (!couples)
+        return;
+      for (const auto &cell : patch)
+        {
+          const bool its_here =
+            is_here[whole.whole_cell(cell->active_cell_index())];
+          EXPECT_TRUE(its_here);
+          if (!its_here)
+            continue;
+          for (const auto v : cell->vertex_indices())
+            {
+              const auto dof = cell->vertex_dof_index(v, 0);
+              EXPECT_EQ(masters(share.bound_nodes(),
+                                dof_here.at(dof),
+                                numbers.serial),
+                        masters(whole.bound_nodes(), dof, same));
+            }
+        }
+    });
+    // Patches are as real as their first cells.
+    share.patches().for_each(share.dof_handler(), [&](const auto &patch) {
+      for (const auto &cell : patch)
+        EXPECT_EQ(share.is_real(cell), share.is_real(patch.front()));
+    });
     return 1. * n_here / whole.n_cells();
   }
 
@@ -200,9 +245,11 @@ namespace
    * without any order, or far from each other. */
   template <int dim>
   void
-  expect_shares_of_whole(const RefinementSteps &steps, const unsigned int depth)
+  expect_shares_of_whole(const RefinementSteps &steps,
+                         const unsigned int     depth,
+                         const Kind            &kind = {})
   {
-    const Mesh<dim>    units   = whole_mesh<dim>(steps.coarser(depth));
+    const Mesh<dim>    units   = whole_mesh<dim>(steps.coarser(depth), kind);
     const unsigned int n_units = units->n_cells();
     for (const bool are_scattered : {true, false})
       {
@@ -212,18 +259,24 @@ namespace
                               (7 * u + u * u / 5) % n_processes() :
                               u * n_processes() / n_units);
 
-        Mesh<dim> whole = whole_mesh<dim>(steps);
+        Mesh<dim> whole = whole_mesh<dim>(steps, kind);
         Mesh<dim> share = std::make_shared<BodyMesh<dim>>(
           units, owners, steps, depth, MPI_COMM_WORLD);
-        const auto n_finest =
-          count_finest_cells<dim>(units->triangulation(), {fault_side}, steps);
-        EXPECT_EQ(std::accumulate(n_finest.begin(), n_finest.end(), 0u),
-                  whole->n_cells());
+        if (dim == 2 || !kind.has_simplices)
+          {
+            const auto n_finest =
+              count_finest_cells<dim>(units->triangulation(),
+                                      {fault_side},
+                                      steps);
+            EXPECT_EQ(std::accumulate(n_finest.begin(), n_finest.end(), 0u),
+                      whole->n_cells());
+          }
         for (bool is_finest = true; share != units; is_finest = false)
           {
             SCOPED_TRACE(std::to_string(steps.uniform) + " steps, " +
                          std::to_string(steps.at_faults) + " at faults, " +
                          std::to_string(share->n_cells()) + " cells");
+            EXPECT_EQ(share->n_coarsenings(), whole->n_coarsenings());
             const double part =
               expect_share<dim>(*share,
                                 *whole,
@@ -262,4 +315,35 @@ TEST(ParallelUnits, SharesOfGradedCellsAreThoseOfTheWhole)
   expect_shares_of_whole<2>({2, 4}, 5);
   expect_shares_of_whole<3>({1, 3}, 2);
   expect_shares_of_whole<3>({1, 2}, 2);
+}
+
+
+
+TEST(ParallelUnits, SharesOfSimplicesAreThoseOfTheWhole)
+{
+  for (const bool bends : {false, true})
+    {
+      expect_shares_of_whole<2>({3, 0}, 2, {true, bends, false});
+      expect_shares_of_whole<3>({1, 0}, 1, {true, bends, false});
+    }
+  expect_shares_of_whole<3>({2, 0}, 2, {true, true, false});
+}
+
+
+
+TEST(ParallelUnits, SharesHaveWholePatches)
+{
+  for (const bool has_simplices : {false, true})
+    {
+      expect_shares_of_whole<2>({3, 0}, 2, {has_simplices, false, true});
+      expect_shares_of_whole<3>({2, 0}, 1, {has_simplices, false, true});
+    }
+}
+
+
+
+TEST(ParallelUnits, SharesOfBentCellsAreThoseOfTheWhole)
+{
+  expect_shares_of_whole<2>({3, 0}, 2, {false, true, false});
+  expect_shares_of_whole<3>({2, 0}, 1, {false, true, false});
 }

@@ -293,9 +293,24 @@ namespace StickSlip
 
 
 
+  namespace
+  {
+    /** True if an active cell has a mark, or if there are none. */
+    template <int dim>
+    bool
+    is_marked(const typename Triangulation<dim>::active_cell_iterator &cell,
+              const std::vector<bool>                                 &marks)
+    {
+      return marks.empty() || marks[cell->active_cell_index()];
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  straighten_hanging_vertices(Triangulation<dim> &mesh)
+  straighten_hanging_vertices(Triangulation<dim>      &mesh,
+                              const std::vector<bool> &marks)
   {
     const auto straighten_line = [](const auto &line) {
       if (line->has_children())
@@ -307,7 +322,7 @@ namespace StickSlip
       for (const auto &cell : mesh.active_cell_iterators_on_level(level))
         for (const auto &face : cell->face_iterators())
           {
-            if (!face->has_children())
+            if (!face->has_children() || !is_marked<dim>(cell, marks))
               continue;
             if constexpr (dim == 2)
               straighten_line(face);
@@ -330,10 +345,10 @@ namespace StickSlip
   template <int dim>
   void
   refuse_inverted_cells(const Triangulation<dim> &mesh,
-                        const unsigned int        least_level)
+                        const std::vector<bool>  &marks)
   {
     for (const auto &cell : mesh.active_cell_iterators())
-      if (static_cast<unsigned int>(cell->level()) >= least_level)
+      if (is_marked<dim>(cell, marks))
         for (const unsigned int v : cell->vertex_indices())
           {
             std::array<Tensor<1, dim>, dim> edges;

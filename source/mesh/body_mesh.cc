@@ -187,29 +187,30 @@ namespace StickSlip
     , coarser_cells(units->coarser_cells)
     , units(units)
     , refinement(std::make_unique<UnitRefinement<dim>>(
-        UnitRefinement<dim>{units->mesh,
+        UnitRefinement<dim>{units->unstraightened(steps.coarser(depth)),
                             owners,
                             steps,
                             depth,
                             fault_sides,
                             kept_sides,
+                            couples_patches,
                             communicator}))
   {
-    carry_out_agreed(communicator, [&]() {
-      mesh = refinement->make_mesh();
-      if (has_shapes(*mesh))
-        refuse_inverted_cells(*mesh, steps.uniform);
-    });
-    real_cells = refinement->real_cells(*mesh);
+    MeshShare<dim> share;
+    carry_out_agreed(communicator, [&]() { share = refinement->make_share(); });
+    mesh       = share.mesh;
+    real_cells = share.is_real;
+    if (share.red_refinement != nullptr)
+      red_refinements.push_back(share.red_refinement);
     number_dofs();
-    UnitNumbers found = number_share(*refinement, *dofs, real_cells);
+    UnitNumbers found = number_share(share, *dofs, communicator);
     cell_numbers      = std::move(found.cells);
     unit_numbers      = std::make_unique<UnitNumbers>(std::move(found));
     if (steps.at_faults > 0)
       add_hanging_nodes(*dofs, real_cells, constraints);
+    bind_images();
     constraints.close();
-    if (couples_patches)
-      cell_patches = CellPatches::of_trees(*mesh);
+    find_patches();
   }
 
 
@@ -347,6 +348,21 @@ namespace StickSlip
 
 
   template <int dim>
+  std::shared_ptr<const Triangulation<dim>>
+  BodyMesh<dim>::unstraightened(const RefinementSteps &steps) const
+  {
+    if (steps.at_faults == 0 || !has_shapes(*mesh))
+      return mesh;
+    const std::shared_ptr<Triangulation<dim>> result = copy_coarse_cells();
+    result->refine_global(steps.uniform);
+    for (unsigned int pass = 0; pass < steps.at_faults; ++pass)
+      refine_at(fault_sides, {}, 1, *result);
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   BodyMesh<dim>::join_periodic_sides(Triangulation<dim> &triangulation) const
   {
@@ -388,11 +404,29 @@ namespace StickSlip
         mesh->n_active_cells() > mesh->n_cells(mesh->n_levels() - 1))
       cell_numbers = number_by_trees(*dofs);
     DoFTools::make_hanging_node_constraints(*dofs, constraints);
+    bind_images();
+    constraints.close();
+    find_patches();
+  }
+
+
+
+  template <int dim>
+  void
+  BodyMesh<dim>::bind_images()
+  {
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
         DoFTools::make_periodicity_constraints(
           *dofs, 2 * axis + 1, 2 * axis, axis, constraints);
-    constraints.close();
+  }
+
+
+
+  template <int dim>
+  void
+  BodyMesh<dim>::find_patches()
+  {
     if (couples_patches)
       cell_patches = red_refinements.empty() ?
                        CellPatches::of_trees(*mesh) :
@@ -407,8 +441,7 @@ namespace StickSlip
   {
     if (refinement != nullptr)
       return refinement->depth + units->n_coarsenings();
-    return std::max<unsigned int>(mesh->n_levels() - 1,
-                                  red_refinements.empty() ? 0 : 1);
+    return std::max<unsigned int>(mesh->n_levels() - 1, red_refinements.size());
   }
 
 
@@ -417,16 +450,16 @@ namespace StickSlip
   bool
   BodyMesh<dim>::can_have_units(const CoarseBody<dim> &body)
   {
-    if (!body.refined_cells.empty() || body.rigid || body.period.norm() > 0. ||
-        !body.cells->all_reference_cells_are_hyper_cube())
+    if (!body.refined_cells.empty() || body.rigid)
       return false;
     if (body.refinement_passes == 0)
       return true;
-    // Hanging nodes would have to go back to the middle of their edges, patches
-    // reach farther than cells, and most cells would be in the few rows of
-    // units at the faults, which would have to be cut where they are lines.
-    return body.refinement_rows == 1 && !body.refine_where &&
-           !has_shapes(*body.cells) && !body.couples_patches &&
+    // Rows would have to go on behind a joint, patches reach farther than
+    // cells, and most cells would be in the few rows of units at the faults,
+    // which would have to be cut where they are lines.
+    return body.cells->all_reference_cells_are_hyper_cube() &&
+           body.refinement_rows == 1 && !body.refine_where &&
+           body.period.norm() == 0. && !body.couples_patches &&
            !has_lines(*body.cells);
   }
 

@@ -168,16 +168,21 @@ namespace StickSlip
         return surface;
       }
 
-    // Bodies that have shares are not periodic.
+    constexpr auto      no_node = numbers::invalid_dof_index;
     std::vector<double> numbers_and_places;
     for (const SideFace<dim> &face : body.faces_on_side(part.side))
       {
         for (unsigned int v = 0; v < face.nodes.size(); ++v)
           {
-            numbers_and_places.push_back(body.whole_dof(face.nodes[v]));
-            numbers_and_places.push_back(global_node(part.body, face.nodes[v]));
+            const types::global_dof_index dof = face.nodes[v];
+            numbers_and_places.push_back(dof == no_node ? no_node :
+                                                          body.whole_dof(dof));
+            numbers_and_places.push_back(
+              dof == no_node ? no_node : global_node(part.body, dof));
             for (unsigned int d = 0; d < dim; ++d)
               numbers_and_places.push_back(face.positions[v][d]);
+            for (const int wrap : face.wraps[v])
+              numbers_and_places.push_back(wrap);
           }
         for (unsigned int d = 0; d < dim; ++d)
           numbers_and_places.push_back(face.outward[d]);
@@ -190,13 +195,14 @@ namespace StickSlip
         {
           faces.emplace_back();
           SideFace<dim> &face = faces.back();
-          face.wraps          = {};
           for (unsigned int v = 0; v < face.nodes.size(); ++v)
             {
               face.nodes[v]         = *entry++;
               number[face.nodes[v]] = *entry++;
               for (unsigned int d = 0; d < dim; ++d)
                 face.positions[v][d] = *entry++;
+              for (int &wrap : face.wraps[v])
+                wrap = *entry++;
             }
           for (unsigned int d = 0; d < dim; ++d)
             face.outward[d] = *entry++;

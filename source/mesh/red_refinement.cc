@@ -4,6 +4,7 @@
 #include <deal.II/grid/manifold.h>
 
 #include <stickslip/geometry/fault_shape.h>
+#include <stickslip/mesh/partial_mesh.h>
 #include <stickslip/mesh/red_refinement.h>
 
 #include <algorithm>
@@ -201,7 +202,8 @@ namespace StickSlip
 
 
 
-  RedRefinement::RedRefinement(const Triangulation<3> &coarse)
+  RedRefinement::RedRefinement(const Triangulation<3>  &coarse,
+                               const std::vector<bool> &is_refined)
   {
     Assert(coarse.all_reference_cells_are_simplex() && coarse.n_levels() == 1,
            ExcMessage("Only plain tetrahedra are refined here."));
@@ -209,8 +211,13 @@ namespace StickSlip
     Middles                                  middle(coarse, shapes);
     std::vector<CellData<3>>                 cells;
     SubCellData                              boundary;
+    const auto is_left_out = [&is_refined](const auto &cell) {
+      return !is_refined.empty() && !is_refined[cell->active_cell_index()];
+    };
     for (const auto &cell : coarse.active_cell_iterators())
       {
+        if (is_left_out(cell))
+          continue;
         std::array<unsigned int, 4> vertices;
         for (unsigned int v = 0; v < 4; ++v)
           vertices[v] = cell->vertex_index(v);
@@ -221,8 +228,9 @@ namespace StickSlip
             data.material_id = cell->material_id();
             cells.push_back(data);
           }
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (const auto face = cell->face(f);
+              face->at_boundary() || is_left_out(cell->neighbor(f)))
             {
               const unsigned int a  = face->vertex_index(0),
                                  b  = face->vertex_index(1),
@@ -237,8 +245,13 @@ namespace StickSlip
                 {
                   CellData<2> data(3);
                   std::copy(part.begin(), part.end(), data.vertices.begin());
-                  data.boundary_id = face->boundary_id();
-                  data.manifold_id = face->manifold_id();
+                  if (face->at_boundary())
+                    {
+                      data.boundary_id = face->boundary_id();
+                      data.manifold_id = face->manifold_id();
+                    }
+                  else
+                    data.boundary_id = PartialMesh<3>::cut_side;
                   boundary.boundary_quads.push_back(data);
                 }
             }

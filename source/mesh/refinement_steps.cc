@@ -142,11 +142,17 @@ namespace StickSlip
                      const RefinementSteps              &steps)
   {
     using Info = GeometryInfo<dim>;
+    std::vector<unsigned int> result;
+    if (steps.at_faults == 0)
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          result.push_back(1u << (dim * (steps.uniform - cell->level())));
+        return result;
+      }
     const std::vector<bool> vertex_is_there =
                               vertices_on_sides(mesh, at_faults),
                             line_is_there = lines_on_sides(mesh, at_faults);
-    CellCount<dim>            count(steps);
-    std::vector<unsigned int> result;
+    CellCount<dim> count(steps);
     for (const auto &cell : mesh.active_cell_iterators())
       {
         Contact<dim> contact;

@@ -2,11 +2,11 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/base/questions.h>
-#include <stickslip/mesh/leaf_cells.h>
 #include <stickslip/mesh/unit_numbers.h>
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace StickSlip
@@ -17,39 +17,34 @@ namespace StickSlip
 
 
 
-    /** A cell of the whole mesh: its unit, tree by tree, and its path below it,
-     * see for_each_leaf_below(). */
-    struct CellName
-    {
-      std::uint64_t unit = none, path = 0;
-    };
-
-
-
     /** Counts what is in the own units, and learns what is around them. */
     template <int dim>
     class ShareNumbering
     {
     public:
-      ShareNumbering(const UnitRefinement<dim> &share,
-                     const DoFHandler<dim>     &dofs,
-                     const std::vector<bool>   &is_real)
+      ShareNumbering(const MeshShare<dim>  &share,
+                     const DoFHandler<dim> &dofs,
+                     const MPI_Comm        &communicator)
         : share(share)
         , dofs(dofs)
-        , is_real(is_real)
-        , me(Utilities::MPI::this_mpi_process(share.communicator))
-        , first_cell(dofs.n_dofs())
+        , communicator(communicator)
+        , me(Utilities::MPI::this_mpi_process(communicator))
+        , first_of_unit(find_first_of_units())
+        , by_name(share.names.size())
+        , first_cell(dofs.n_dofs(), {none, 0})
       {
-        for_each_leaf(*share.units, [&](const auto &unit) {
-          units.emplace_back(unit->level(), unit->index());
-          owners.push_back(share.owner(unit));
-        });
+        std::iota(by_name.begin(), by_name.end(), 0);
+        std::sort(by_name.begin(),
+                  by_name.end(),
+                  [&](const unsigned int k, const unsigned int l) {
+                    return share.names[k] < share.names[l];
+                  });
         result.nodes.n_owned.resize(
-          Utilities::MPI::n_mpi_processes(share.communicator), 0);
+          Utilities::MPI::n_mpi_processes(communicator), 0);
         result.nodes.owner.resize(dofs.n_dofs(), none);
         result.nodes.serial.resize(dofs.n_dofs(), numbers::invalid_dof_index);
         result.nodes.place.resize(dofs.n_dofs(), numbers::invalid_dof_index);
-        result.cells.resize(is_real.size(), none);
+        result.cells.resize(share.is_real.size(), none);
       }
 
       UnitNumbers
@@ -60,20 +55,21 @@ namespace StickSlip
         // Nodes of own cells that others count, which these know; then all that
         // is around own cells.
         std::vector<CellName> asked_for;
-        for_each_real_cell([&](const Cell &cell, const CellName &name) {
-          if (owners[name.unit] == me)
-            for (const auto v : cell->vertex_indices())
-              if (const CellName &first =
-                    first_cell[cell->vertex_dof_index(v, 0)];
-                  owners[first.unit] != me)
-                asked_for.push_back(first);
-        });
+        for (unsigned int k = 0; k < share.names.size(); ++k)
+          if (owner(share.names[k]) == me)
+            {
+              const Cell its = cell(k);
+              for (const auto v : its->vertex_indices())
+                if (const CellName &first =
+                      first_cell[its->vertex_dof_index(v, 0)];
+                    owner(first) != me)
+                  asked_for.push_back(first);
+            }
         learn(asked_for);
         asked_for.clear();
-        for_each_real_cell([&](const Cell &, const CellName &name) {
-          if (owners[name.unit] != me)
+        for (const CellName &name : share.names)
+          if (owner(name) != me)
             asked_for.push_back(name);
-        });
         learn(asked_for);
         return std::move(result);
       }
@@ -81,57 +77,62 @@ namespace StickSlip
     private:
       using Cell = typename DoFHandler<dim>::cell_iterator;
 
-      Cell
-      unit_cell(const unsigned int unit) const
+      unsigned int
+      owner(const CellName &name) const
       {
-        return Cell(&dofs.get_triangulation(),
-                    units[unit].first,
-                    units[unit].second,
-                    &dofs);
+        return share.owners[name.first];
       }
 
-      template <typename Visitor>
-      void
-      for_each_real_cell(const Visitor &visit) const
+      /** One of the real cells. */
+      Cell
+      cell(const unsigned int k) const
       {
-        for (unsigned int unit = 0; unit < units.size(); ++unit)
-          for_each_leaf_below(unit_cell(unit),
-                              [&](const Cell &cell, const std::uint64_t path) {
-                                if (is_real[cell->active_cell_index()])
-                                  visit(cell, CellName{unit, path});
-                              });
+        return Cell(&dofs.get_triangulation(),
+                    share.cells[k].first,
+                    share.cells[k].second,
+                    &dofs);
       }
 
       Cell
       find(const CellName &name) const
       {
-        unsigned int n_levels = 0;
-        while ((name.path >> (dim * (n_levels + 1))) > 0)
-          ++n_levels;
-        Cell cell = unit_cell(name.unit);
-        while (n_levels-- > 0)
-          {
-            AssertThrow(cell->has_children(), ExcInternalError());
-            cell =
-              cell->child((name.path >> (dim * n_levels)) & ((1u << dim) - 1));
-          }
-        AssertThrow(cell->is_active(), ExcInternalError());
-        return cell;
+        const auto place =
+          std::lower_bound(by_name.begin(),
+                           by_name.end(),
+                           name,
+                           [&](const unsigned int k, const CellName &other) {
+                             return share.names[k] < other;
+                           });
+        AssertThrow(place != by_name.end() && share.names[*place] == name,
+                    ExcInternalError());
+        return cell(*place);
       }
 
       void
       find_first_cells()
       {
-        for_each_real_cell([&](const Cell &cell, const CellName &name) {
-          for (const auto v : cell->vertex_indices())
-            {
-              const auto dof = cell->vertex_dof_index(v, 0);
-              if (first_cell[dof].unit == none)
-                first_cell[dof] = name;
-              unsigned int &owner = result.nodes.owner[dof];
-              owner               = std::min(owner, owners[name.unit]);
-            }
-        });
+        for (unsigned int k = 0; k < share.names.size(); ++k)
+          {
+            const Cell its = cell(k);
+            for (const auto v : its->vertex_indices())
+              {
+                const auto dof = its->vertex_dof_index(v, 0);
+                if (first_cell[dof].first == none)
+                  first_cell[dof] = share.names[k];
+                unsigned int &its_owner = result.nodes.owner[dof];
+                its_owner = std::min(its_owner, owner(share.names[k]));
+              }
+          }
+      }
+
+      std::vector<unsigned int>
+      find_first_of_units() const
+      {
+        std::vector<unsigned int> first;
+        for (unsigned int k = 0; k < share.names.size(); ++k)
+          first.resize(share.names[k].first + 1, k);
+        first.resize(share.owners.size() + 1, share.names.size());
+        return first;
       }
 
       /** For each process its units, one after the other: the number of their
@@ -141,8 +142,8 @@ namespace StickSlip
       counts_of_units() const
       {
         std::vector<unsigned int> of_mine;
-        for (unsigned int unit = 0; unit < units.size(); ++unit)
-          if (owners[unit] == me)
+        for (unsigned int unit = 0; unit < share.owners.size(); ++unit)
+          if (share.owners[unit] == me)
             {
               unsigned int                         n_cells = 0;
               std::map<unsigned int, unsigned int> n_nodes;
@@ -157,7 +158,7 @@ namespace StickSlip
               for (const auto &[owner, n] : n_nodes)
                 of_mine.insert(of_mine.end(), {owner, n});
             }
-        return Utilities::MPI::all_gather(share.communicator, of_mine);
+        return Utilities::MPI::all_gather(communicator, of_mine);
       }
 
       /** Call one function for each node that is counted with an own unit, and
@@ -168,17 +169,16 @@ namespace StickSlip
                         const NodeVisitor &visit_node,
                         const CellVisitor &visit_cell) const
       {
-        for_each_leaf_below(unit_cell(unit),
-                            [&](const Cell &cell, const std::uint64_t path) {
-                              visit_cell(cell->active_cell_index());
-                              for (const auto v : cell->vertex_indices())
-                                {
-                                  const auto dof = cell->vertex_dof_index(v, 0);
-                                  const CellName &first = first_cell[dof];
-                                  if (first.unit == unit && first.path == path)
-                                    visit_node(dof);
-                                }
-                            });
+        for (unsigned int k = first_of_unit[unit]; k < first_of_unit[unit + 1];
+             ++k)
+          {
+            const Cell its = cell(k);
+            visit_cell(its->active_cell_index());
+            for (const auto v : its->vertex_indices())
+              if (const auto dof = its->vertex_dof_index(v, 0);
+                  first_cell[dof] == share.names[k])
+                visit_node(dof);
+          }
       }
 
       void
@@ -187,11 +187,12 @@ namespace StickSlip
         const auto               counts = counts_of_units();
         std::vector<std::size_t> next(counts.size(), 0);
         NodeNumbers             &nodes = result.nodes;
-        for (unsigned int unit = 0; unit < units.size(); ++unit)
+        for (unsigned int unit = 0; unit < share.owners.size(); ++unit)
           {
-            const std::vector<unsigned int> &of_owner = counts[owners[unit]];
-            std::size_t                     &k        = next[owners[unit]];
-            if (owners[unit] == me)
+            const unsigned int               its_owner = share.owners[unit];
+            const std::vector<unsigned int> &of_owner  = counts[its_owner];
+            std::size_t                     &k         = next[its_owner];
+            if (its_owner == me)
               {
                 types::global_dof_index serial = nodes.n_nodes;
                 unsigned int            number = result.n_cells;
@@ -224,8 +225,8 @@ namespace StickSlip
         std::map<unsigned int, Message> questions;
         for (const CellName &name : names)
           {
-            Message &question = questions[owners[name.unit]];
-            question.insert(question.end(), {name.unit, name.path});
+            Message &question = questions[owner(name)];
+            question.insert(question.end(), {name.first, name.second});
           }
         const auto numbers_of = [&](const Message &question) {
           Message answer;
@@ -243,7 +244,7 @@ namespace StickSlip
           return answer;
         };
         for (const auto &[process, answer] :
-             ask(questions, numbers_of, share.communicator))
+             ask(questions, numbers_of, communicator))
           {
             auto next = answer.begin();
             for_each_named(questions[process], [&](const Cell &cell) {
@@ -269,17 +270,21 @@ namespace StickSlip
                      const Visitor                    &visit) const
       {
         for (std::size_t k = 0; k < names.size(); k += 2)
-          visit(find({names[k], names[k + 1]}));
+          visit(find(CellName(names[k], names[k + 1])));
       }
 
-      const UnitRefinement<dim> &share;
-      const DoFHandler<dim>     &dofs;
-      const std::vector<bool>   &is_real;
-      const unsigned int         me;
+      const MeshShare<dim>  &share;
+      const DoFHandler<dim> &dofs;
+      const MPI_Comm        &communicator;
+      const unsigned int     me;
 
-      /** Level and index of the units, tree by tree, and their processes. */
-      std::vector<std::pair<int, int>> units;
-      std::vector<unsigned int>        owners;
+      /** The real cells below each unit: the first of them, and their number at
+       * the end. */
+      const std::vector<unsigned int> first_of_unit;
+
+      /** The real cells in the order of their names, in which those of
+       * different levels are not tree by tree. */
+      std::vector<unsigned int> by_name;
 
       /** The first real cell with a node. For nodes of own cells it is that of
        * the whole mesh. */
@@ -293,11 +298,11 @@ namespace StickSlip
 
   template <int dim>
   UnitNumbers
-  number_share(const UnitRefinement<dim> &share,
-               const DoFHandler<dim>     &dofs,
-               const std::vector<bool>   &is_real)
+  number_share(const MeshShare<dim>  &share,
+               const DoFHandler<dim> &dofs,
+               const MPI_Comm        &communicator)
   {
-    return ShareNumbering<dim>(share, dofs, is_real).make();
+    return ShareNumbering<dim>(share, dofs, communicator).make();
   }
 
 

@@ -112,22 +112,24 @@ namespace StickSlip
     const std::vector<std::shared_ptr<const FaultShape<dim>>> &shapes);
 
   /** Move hanging vertices inside of a body to the middle of what they hang on,
-   * where the functions that are bound there are continuous. */
+   * where the functions that are bound there are continuous. Only the vertices
+   * at active cells with a mark, if there are marks. */
   template <int dim>
   void
-  straighten_hanging_vertices(Triangulation<dim> &mesh);
+  straighten_hanging_vertices(Triangulation<dim>      &mesh,
+                              const std::vector<bool> &marks = {});
 
   /** Throw InputError: a fault bends too much for the cells at it. */
   template <int dim>
   [[noreturn]] void
   refuse_inverted_cell(const Point<dim> &centre);
 
-  /** Throw InputError if an active cell that has been refined at least so often
-   * is inverted at one of its vertices. */
+  /** Throw InputError if an active cell, one with a mark if there are marks, is
+   * inverted at one of its vertices. */
   template <int dim>
   void
   refuse_inverted_cells(const Triangulation<dim> &mesh,
-                        const unsigned int        least_level = 0);
+                        const std::vector<bool>  &marks = {});
 } // namespace StickSlip
 
 #endif

@@ -13,6 +13,7 @@
 #include <stickslip/mesh/cell_patches.h>
 #include <stickslip/mesh/red_refinement.h>
 #include <stickslip/mesh/unit_numbers.h>
+#include <stickslip/mesh/unit_refinement.h>
 
 #include <limits>
 #include <memory>
@@ -44,8 +45,8 @@ namespace StickSlip
    * see UnitRefinement. After that a process keeps a part, which knows its
    * numbers in the whole.
    *
-   * Cells are trees of deal.II's, but for tetrahedra: these are refined as a
-   * whole, each time into a mesh of its own, see RedRefinement.
+   * Cells are trees of deal.II's, but for tetrahedra: these are refined into a
+   * mesh of its own each time, see RedRefinement.
    */
   template <int dim>
   class BodyMesh
@@ -88,8 +89,7 @@ namespace StickSlip
              const std::vector<bool>              &is_kept,
              std::vector<types::global_dof_index> *dofs_before = nullptr);
 
-    /** The number of times that this mesh can be coarsened; of tetrahedra one
-     * if at all. */
+    /** The number of times that this mesh can be coarsened. */
     unsigned int
     n_coarsenings() const;
 
@@ -105,8 +105,8 @@ namespace StickSlip
     has_coarser_cells() const;
 
     /** True if the refined cells of a body may be made only where a process
-     * needs them: quadrilaterals or hexahedra, refined as RefinementSteps say,
-     * and no side joined to another. */
+     * needs them: refined as RefinementSteps say, and all over if they are
+     * triangles or tetrahedra, or if sides are joined. */
     static bool
     can_have_units(const CoarseBody<dim> &body);
 
@@ -241,6 +241,11 @@ namespace StickSlip
     std::shared_ptr<Triangulation<dim>>
     copy_coarse_cells() const;
 
+    /** This mesh, from so many steps, before hanging vertices went back to the
+     * middle of what they hang on. */
+    std::shared_ptr<const Triangulation<dim>>
+    unstraightened(const RefinementSteps &steps) const;
+
     void
     join_periodic_sides(Triangulation<dim> &triangulation) const;
 
@@ -252,6 +257,13 @@ namespace StickSlip
      * bound nodes and patches. */
     void
     distribute_dofs();
+
+    /** Bind nodes on the upper side along a periodic axis to their images. */
+    void
+    bind_images();
+
+    void
+    find_patches();
 
     /** Lower end of the body, and its length along periodic axes. */
     std::array<double, dim - 1> lateral_lower;

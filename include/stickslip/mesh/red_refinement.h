@@ -22,6 +22,9 @@ namespace StickSlip
    *
    * New vertices are in the middle of edges, or on the shape that these have,
    * see set_shapes(). Throws InputError if a cell is inverted by that.
+   *
+   * Of some cells only, if asked for: nothing is left of the others, and faces
+   * between both have the indicator PartialMesh::cut_side.
    */
   struct RedRefinement
   {
@@ -31,12 +34,14 @@ namespace StickSlip
 
     /** For each vertex the ends of the coarse edge of which it is the middle; a
      * vertex of the coarser mesh twice itself. Vertices of the coarser mesh
-     * have the same numbers in both. */
+     * have the same numbers in both, also those that no cell has any more. */
     std::vector<std::array<unsigned int, 2>> parents;
 
     RedRefinement() = default;
 
-    explicit RedRefinement(const Triangulation<3> &coarse);
+    /** @p is_refined: for each cell; empty: all are. */
+    explicit RedRefinement(const Triangulation<3>  &coarse,
+                           const std::vector<bool> &is_refined = {});
   };
 } // namespace StickSlip
 

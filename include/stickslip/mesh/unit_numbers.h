@@ -6,8 +6,8 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
+#include <stickslip/mesh/mesh_share.h>
 #include <stickslip/mesh/node_numbers.h>
-#include <stickslip/mesh/unit_refinement.h>
 
 #include <vector>
 
@@ -33,9 +33,9 @@ namespace StickSlip
    */
   template <int dim>
   UnitNumbers
-  number_share(const UnitRefinement<dim> &share,
-               const DoFHandler<dim>     &dofs,
-               const std::vector<bool>   &is_real);
+  number_share(const MeshShare<dim>  &share,
+               const DoFHandler<dim> &dofs,
+               const MPI_Comm        &communicator);
 } // namespace StickSlip
 
 #endif
