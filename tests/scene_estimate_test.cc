@@ -8,6 +8,7 @@
 
 #include <string>
 
+#include "box_layers.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -41,10 +42,13 @@ namespace
   void
   expect_counts(const std::string &scene_text,
                 const double       accuracy,
-                const double       accuracy_of_nodes)
+                const double       accuracy_of_nodes,
+                const std::string &mesh_text = "")
   {
     SCOPED_TRACE(scene_text);
-    const TemporaryFolder      folder;
+    const TemporaryFolder folder;
+    if (!mesh_text.empty())
+      folder.write("layers.msh", mesh_text);
     const SceneParameters<dim> scene =
       SceneReader(folder.write("scene.prm", scene_text)).read<dim>();
     const MeshEstimate       estimate = estimate_meshes(scene);
@@ -73,8 +77,42 @@ TEST(MeshEstimate, EqualsTheMeshesOfBricks)
   expect_counts<2>(two_bodies_with<2>("set Uniform refinements = 2\n"
                                       "set Refinement passes = 0\n"),
                    1e-12,
-                   0.01);
+                   1e-12);
+  expect_counts<3>(two_bodies_with<3>("set Uniform refinements = 2\n"
+                                      "set Refinement passes = 0\n"),
+                   1e-12,
+                   1e-12);
   expect_counts<3>(two_bodies_with<3>("set Refinement passes = 2\n"), 0.1, 0.2);
+}
+
+
+
+TEST(MeshEstimate, EqualsMeshesOfTetrahedra)
+{
+  const std::string refined = "set Uniform refinements = 2\nend\n";
+  expect_counts<3>(
+    "set Dimension = 3\n"
+    "subsection Bodies\nset Names = lower, upper\n"
+    "set Mesh file = layers.msh\n"
+    "subsection lower\n" +
+      refined + "subsection upper\n" + refined +
+      "end\n"
+      "subsection Faults\nset Names = fault\n"
+      "subsection fault\nset Between = lower, upper\n"
+      "set Normal stress = function\n"
+      "set Normal stress function = 1e4\nend\nend\n"
+      "subsection Output\nset Event start slip rate = 1e-3\nend\n"
+      "subsection Boundary conditions\nset Sides = lower bottom\n"
+      "subsection lower bottom\nset x condition = fixed\n"
+      "set y condition = fixed\nset z condition = fixed\nend\nend\n",
+    1e-12,
+    1e-12,
+    box_layers(SolidCells::tetrahedra,
+               [](const double x, const double y, const double z)
+                 -> std::array<double, 3> {
+                 return {{x, y, z}};
+               })
+      .text());
 }
 
 

@@ -91,7 +91,8 @@ namespace StickSlip
     template <int dim>
     struct CoarseCount
     {
-      double cells = 0., nodes = 0.;
+      /** With the edges and, in three dimensions, the faces of cells. */
+      double cells = 0., nodes = 0., edges = 0., faces_of_cells = 0.;
 
       /** Cells with a vertex at a fault where passes refine. */
       double at_faults = 0.;
@@ -188,8 +189,11 @@ namespace StickSlip
                 const unsigned int        number)
     {
       CoarseCount<dim> count;
-      count.cells      = mesh.n_active_cells();
-      count.nodes      = mesh.n_used_vertices();
+      count.cells = mesh.n_active_cells();
+      count.nodes = mesh.n_used_vertices();
+      count.edges = mesh.n_active_lines();
+      if constexpr (dim == 3)
+        count.faces_of_cells = mesh.n_active_faces();
       count.is_simplex = mesh.all_reference_cells_are_simplex();
       std::set<unsigned int> refined_vertices;
       for (const auto &cell : mesh.active_cell_iterators())
@@ -275,6 +279,29 @@ namespace StickSlip
 
 
 
+    /** Halve all cells: edges and faces have a new node in the middle, and so
+     * have quadrilaterals and hexahedra; tetrahedra have a new edge inside. */
+    template <int dim>
+    void
+    halve(CoarseCount<dim> &count)
+    {
+      double &nodes = count.nodes, &edges = count.edges,
+             &faces = count.faces_of_cells, &cells = count.cells;
+      const bool is_simplex = count.is_simplex;
+      nodes += is_simplex ? edges : edges + faces + cells;
+      edges *= 2.;
+      if (dim == 2)
+        edges += (is_simplex ? 3. : 4.) * cells;
+      else
+        {
+          edges += is_simplex ? 3. * faces + cells : 4. * faces + 6. * cells;
+          faces = 4. * faces + (is_simplex ? 8. : 12.) * cells;
+        }
+      cells *= std::exp2(dim);
+    }
+
+
+
     /** Refine what has been counted. */
     template <int dim>
     void
@@ -294,13 +321,8 @@ namespace StickSlip
         coarse_faces > 0. ? count.at_faults / coarse_faces : 1.;
 
       const double halves = std::exp2(uniform), faces = std::exp2(dim - 1.);
-      // The nodes of a brick of n cells along each axis.
-      count.nodes = count.nodes * std::pow(halves, dim) -
-                    (count.is_simplex ?
-                       0. :
-                       (count.nodes - count.cells) *
-                         (std::pow(halves, dim) - std::pow(halves, dim - 1)));
-      count.cells *= std::pow(halves, dim);
+      for (unsigned int i = 0; i < uniform; ++i)
+        halve(count);
       double       at_faults = count.at_faults * std::pow(halves, dim - 1);
       const double new_nodes = count.is_simplex ? dim : dim == 2 ? 4. : 10.;
       std::vector<double> refined(passes, 0.);
@@ -359,7 +381,12 @@ namespace StickSlip
         const BodyGeometry<dim> &geometry      = scene.bodies[b].geometry;
         unsigned int             n_refinements = geometry.uniform_refinements;
         if (bodies.empty())
-          counts[b].cells = counts[b].nodes = given_cells(scene, b);
+          {
+            CoarseCount<dim> &count = counts[b];
+            count.cells = count.nodes = given_cells(scene, b);
+            count.edges               = dim * count.cells;
+            count.faces_of_cells      = dim == 3 ? 3. * count.cells : 0.;
+          }
         else if (bodies[b].refined_cells.empty())
           counts[b] =
             count_cells(*bodies[b].cells, bodies[b], scene.topology, b);
