@@ -6,6 +6,7 @@
 #include <stickslip/scene/mesh_estimate.h>
 #include <stickslip/scene/scene_reader.h>
 
+#include <array>
 #include <string>
 
 #include "box_layers.h"
@@ -113,6 +114,36 @@ TEST(MeshEstimate, EqualsMeshesOfTetrahedra)
                  return {{x, y, z}};
                })
       .text());
+}
+
+
+
+// Meshes that each process makes as a whole take memory for each of them.
+TEST(MeshEstimate, MemoryOfManyProcesses)
+{
+  const auto beyond_program = [](const std::string &entries) {
+    const TemporaryFolder folder;
+    const MeshEstimate    estimate = estimate_meshes(
+      SceneReader(folder.write("scene.prm", two_bodies_with<3>(entries)))
+        .read<3>());
+    EXPECT_GT(estimate.nodes, 1e6);
+    std::array<double, 2> bytes;
+    for (const unsigned int k : {0, 1})
+      {
+        const unsigned int n_processes = k == 0 ? 1 : 64;
+        bytes[k] =
+          estimate.memory(3, n_processes) - 175. * 1048576. * n_processes;
+      }
+    return bytes[1] / bytes[0];
+  };
+  const std::string uniform = "set Coarse cells = 10, 10, 2\n"
+                              "set Uniform refinements = 5\n"
+                              "set Refinement passes = 0\n";
+  const std::string rows    = "set Coarse cells = 20, 20, 4\n"
+                              "set Refinement passes = 5\n"
+                              "set Refinement rows = 2\n";
+  EXPECT_LT(beyond_program(uniform), 2.);
+  EXPECT_GT(beyond_program(rows), 6.);
 }
 
 

@@ -78,6 +78,12 @@ namespace StickSlip
 
 
 
+    /** Nodes of meshes that are divided between processes, at least: they are
+     * as coarse as leaves so many, up to 2^d times as many. */
+    constexpr double least_divided_nodes = 20000.;
+
+
+
     /** Coarse faces at faults on one side of a body. */
     struct SideCount
     {
@@ -357,8 +363,9 @@ namespace StickSlip
   {
     const double of_meshes = dim == 2 ? 0.7e3 : 1.1e3,
                  of_rest   = dim == 2 ? 2.8e3 : 9e3;
-    return n_processes * (175. * 1048576. + of_meshes * nodes) +
-           of_rest * nodes;
+    return n_processes * (175. * 1048576. +
+                          (n_processes > 1 ? of_meshes * whole_nodes : 0.)) +
+           (of_meshes + of_rest) * nodes;
   }
 
 
@@ -376,6 +383,7 @@ namespace StickSlip
       bodies = scene.coarse_bodies();
 
     std::vector<CoarseCount<dim>> counts(scene.bodies.size());
+    double                        undivided = 0., divided = 0., coarse = 0.;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         const BodyGeometry<dim> &geometry      = scene.bodies[b].geometry;
@@ -392,6 +400,7 @@ namespace StickSlip
             count_cells(*bodies[b].cells, bodies[b], scene.topology, b);
         if (geometry.rigid)
           continue;
+        const double coarse_nodes = counts[b].nodes;
         if (!bodies.empty() && !bodies[b].refined_cells.empty())
           {
             const BodyMesh<dim> mesh(bodies[b],
@@ -414,6 +423,13 @@ namespace StickSlip
           }
         estimate.cells += counts[b].cells;
         estimate.nodes += counts[b].nodes;
+        if (!bodies.empty() && BodyMesh<dim>::can_have_units(bodies[b]))
+          {
+            divided += counts[b].nodes;
+            coarse += coarse_nodes;
+          }
+        else
+          undivided += counts[b].nodes;
         estimate.levels =
           std::max(estimate.levels,
                    1 + n_refinements +
@@ -424,6 +440,10 @@ namespace StickSlip
             estimate.stretched_body = b;
           }
       }
+
+    estimate.whole_nodes =
+      undivided +
+      std::max(coarse, std::min(divided, least_divided_nodes * std::exp2(dim)));
 
     for (const Fault &fault : scene.topology.faults())
       {

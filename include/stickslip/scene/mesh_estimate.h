@@ -12,8 +12,8 @@ namespace StickSlip
 {
   /**
    * Sizes of the meshes of a scene, counted without making them. For bricks
-   * that are refined everywhere the number of cells is exact and that of nodes
-   * right to a per cent; those of others are right to some ten per cent.
+   * that are refined everywhere numbers are exact; those of others are right to
+   * some ten per cent.
    *
    * A pass takes the cells at a fault, T of them at F faces, and leaves 2^d of
    * each, of which 2^(d-1) are at the fault again, which adds (2^d - 1) T
@@ -24,6 +24,11 @@ namespace StickSlip
   {
     /** Of all bodies that deform, on the finest level. */
     double cells = 0., nodes = 0.;
+
+    /** Nodes of the meshes that each of several processes makes as a whole,
+     * see BodyMesh::can_have_units(): the finest, or those that are divided. */
+    double whole_nodes = 0.;
+
     /** Without those on which only some bodies are coarsened. */
     unsigned int levels = 1;
 
@@ -58,8 +63,8 @@ namespace StickSlip
      * Memory of all @p n_processes processes on one machine, bytes: what was
      * measured in doc/performance.md and doc/parallel.md, 175 MiB for the
      * program, and for each node 0.7 kB of meshes in two dimensions and 1.1 kB
-     * in three, on every process, and 2.8 kB or 9 kB of matrices and vectors
-     * among them.
+     * in three, on each of several processes for whole_nodes, and 2.8 kB or 9
+     * kB of matrices and vectors.
      */
     double
     memory(const unsigned int dim, const unsigned int n_processes) const;
