@@ -66,14 +66,11 @@ namespace StickSlip
         body.uniform_refinements       = to_units.uniform;
         body.refinement_passes         = to_units.at_faults;
         meshes[b] = std::make_shared<BodyMesh<dim>>(body, sides[b]);
-        // Tetrahedra have no levels of deal.II's.
-        const bool has_levels =
-          dim == 2 || body.cells->all_reference_cells_are_hyper_cube();
-        n_finest[b] =
-          count_finest_cells(meshes[b]->triangulation(),
-                             sides[b],
-                             has_levels ? steps[b] :
-                                          RefinementSteps{depths[b], 0});
+        if (steps[b].at_faults == 0)
+          n_finest[b].assign(meshes[b]->n_cells(), 1u << (dim * depths[b]));
+        else
+          n_finest[b] =
+            count_finest_cells(meshes[b]->triangulation(), sides[b], steps[b]);
       }
   }
 

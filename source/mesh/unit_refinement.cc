@@ -27,20 +27,6 @@ namespace StickSlip
                 is_real[parent->child(child)->active_cell_index()] = true;
           }
     }
-
-
-
-    /** For each cell, if it has a marked vertex. */
-    template <int dim>
-    std::vector<bool>
-    cells_with_marks(const Triangulation<dim> &mesh,
-                     const std::vector<bool>  &marks)
-    {
-      std::vector<bool> result;
-      for (const auto &cell : mesh.active_cell_iterators())
-        result.push_back(has_marked_vertex<dim>(cell, marks));
-      return result;
-    }
   } // namespace
 
 
@@ -95,10 +81,11 @@ namespace StickSlip
   UnitRefinement<dim>::needed_vertices(const Triangulation<dim> &mesh,
                                        const unsigned int        n_rows) const
   {
-    std::vector<bool> result = vertices_needed_anyway(mesh);
+    std::vector<bool>  result = vertices_needed_anyway(mesh);
+    const unsigned int me     = this_process();
     for_each_named_leaf(
       mesh, [&](const auto &cell, const CellName &, const unsigned int owner) {
-        if (owner == this_process())
+        if (owner == me)
           for (const auto v : cell->vertex_indices())
             result[cell->vertex_index(v)] = true;
       });
@@ -195,14 +182,16 @@ namespace StickSlip
     for (unsigned int unit = 0; unit < owners->size(); ++unit)
       names.emplace_back(unit, 1);
 
-    const auto find_needed = [&]() {
-      std::vector<bool> marks = vertices_needed_anyway(*share.mesh);
+    const unsigned int me          = this_process();
+    const auto         find_needed = [&]() {
+      std::vector<bool> marks = vertices_needed_anyway(*share.mesh), result;
       for (const auto &cell : share.mesh->active_cell_iterators())
-        if (share.owners[names[cell->active_cell_index()].first] ==
-            this_process())
+        if (share.owners[names[cell->active_cell_index()].first] == me)
           for (const auto v : cell->vertex_indices())
             marks[cell->vertex_index(v)] = true;
-      return cells_with_marks(*share.mesh, marks);
+      for (const auto &cell : share.mesh->active_cell_iterators())
+        result.push_back(has_marked_vertex<3>(cell, marks));
+      return result;
     };
     constexpr unsigned int n_parts = 8;
     for (unsigned int step = 0; step < depth; ++step)
