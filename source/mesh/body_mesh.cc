@@ -187,7 +187,7 @@ namespace StickSlip
     , coarser_cells(units->coarser_cells)
     , units(units)
     , refinement(std::make_unique<UnitRefinement<dim>>(
-        UnitRefinement<dim>{units->unstraightened(steps.coarser(depth)),
+        UnitRefinement<dim>{units->unstraightened(),
                             owners,
                             steps,
                             depth,
@@ -203,9 +203,8 @@ namespace StickSlip
     if (share.red_refinement != nullptr)
       red_refinements.push_back(share.red_refinement);
     number_dofs();
-    UnitNumbers found = number_share(share, *dofs, communicator);
-    cell_numbers      = std::move(found.cells);
-    unit_numbers      = std::make_unique<UnitNumbers>(std::move(found));
+    unit_numbers = std::make_unique<const UnitNumbers>(
+      number_share(share, *dofs, communicator));
     if (steps.at_faults > 0)
       add_hanging_nodes(*dofs, real_cells, constraints);
     bind_images();
@@ -349,14 +348,12 @@ namespace StickSlip
 
   template <int dim>
   std::shared_ptr<const Triangulation<dim>>
-  BodyMesh<dim>::unstraightened(const RefinementSteps &steps) const
+  BodyMesh<dim>::unstraightened() const
   {
-    if (steps.at_faults == 0 || !has_shapes(*mesh))
+    if (!has_shapes(*mesh) || !mesh->has_hanging_nodes())
       return mesh;
     const std::shared_ptr<Triangulation<dim>> result = copy_coarse_cells();
-    result->refine_global(steps.uniform);
-    for (unsigned int pass = 0; pass < steps.at_faults; ++pass)
-      refine_at(fault_sides, {}, 1, *result);
+    refine_listed(refined_cells(*mesh), *result);
     return result;
   }
 

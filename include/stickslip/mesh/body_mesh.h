@@ -45,8 +45,8 @@ namespace StickSlip
    * see UnitRefinement. After that a process keeps a part, which knows its
    * numbers in the whole.
    *
-   * Cells are trees of deal.II's, but for tetrahedra: these are refined into a
-   * mesh of its own each time, see RedRefinement.
+   * Cells are trees of deal.II's, but for tetrahedra, which each refinement
+   * leaves in a mesh of its own, see RedRefinement.
    */
   template <int dim>
   class BodyMesh
@@ -193,7 +193,9 @@ namespace StickSlip
     unsigned int
     whole_cell(const unsigned int cell) const
     {
-      return cell_numbers.empty() ? cell : cell_numbers[cell];
+      return unit_numbers         ? unit_numbers->cells[cell] :
+             cell_numbers.empty() ? cell :
+                                    cell_numbers[cell];
     }
 
     const Triangulation<dim> &
@@ -241,10 +243,10 @@ namespace StickSlip
     std::shared_ptr<Triangulation<dim>>
     copy_coarse_cells() const;
 
-    /** This mesh, from so many steps, before hanging vertices went back to the
-     * middle of what they hang on. */
+    /** This mesh before hanging vertices went back to the middle of what they
+     * hang on. */
     std::shared_ptr<const Triangulation<dim>>
-    unstraightened(const RefinementSteps &steps) const;
+    unstraightened() const;
 
     void
     join_periodic_sides(Triangulation<dim> &triangulation) const;

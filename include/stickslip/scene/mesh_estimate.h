@@ -11,9 +11,9 @@
 namespace StickSlip
 {
   /**
-   * Sizes of the meshes of a scene, counted without making them. For bricks
-   * that are refined everywhere numbers are exact; those of others are right to
-   * some ten per cent.
+   * Sizes of the meshes of a scene, counted without making them. They
+   * are exact for bodies that are refined everywhere, and right to some ten per
+   * cent for others.
    *
    * A pass takes the cells at a fault, T of them at F faces, and leaves 2^d of
    * each, of which 2^(d-1) are at the fault again, which adds (2^d - 1) T
