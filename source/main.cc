@@ -143,7 +143,7 @@ namespace
       }
     catch (const InputError &error)
       {
-        throw InputError(reader.with_origin(error.what()));
+        throw InputError(reader.assignments().with_origin(error.what()));
       }
   }
 
@@ -168,7 +168,7 @@ namespace
                      reader.warnings(),
                      std::cout);
       if (!refusal.empty())
-        throw InputError(reader.with_origin(refusal));
+        throw InputError(reader.assignments().with_origin(refusal));
       report_meshes(scene, std::cout);
       write_mesh_pictures(scene, scene.output.directory);
       std::cout << "The meshes are in " << scene.output.directory

@@ -68,6 +68,30 @@ namespace StickSlip
 
 
 
+  std::string
+  naming(const std::string &path, const std::string &value)
+  {
+    return "'" + path + "' = '" + value + "'";
+  }
+
+
+
+  std::string
+  naming(const std::string &path, const double value)
+  {
+    return naming(path, shortest_form(value));
+  }
+
+
+
+  std::string
+  periodic_entry(const unsigned int axis)
+  {
+    return std::string("Boundary conditions/Periodic along ") + "xy"[axis];
+  }
+
+
+
   std::vector<DeclaredEntry>::const_iterator
   find_declared(const std::vector<DeclaredEntry> &entries,
                 const Assignment                 &assignment)

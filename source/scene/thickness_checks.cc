@@ -5,6 +5,7 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/scene/entry_assignment.h>
 #include <stickslip/scene/thickness_checks.h>
 
 #include <cmath>
@@ -14,22 +15,6 @@ namespace StickSlip
 {
   namespace
   {
-    std::string
-    naming(const std::string &path, const double value)
-    {
-      return "'" + path + "' = '" + shortest_form(value) + "'";
-    }
-
-
-
-    std::string
-    periodic_entry(const unsigned int axis)
-    {
-      return std::string("Boundary conditions/Periodic along ") + "xy"[axis];
-    }
-
-
-
     /** The lateral extent of a body in equal steps, both ends included. */
     template <int dim>
     std::vector<Point<dim>>

@@ -39,7 +39,7 @@ namespace StickSlip
     auto                  folder = std::make_unique<OutputFolder>(path);
     const OutputDirectory directory(path);
     if (earlier != EarlierResults::go_on)
-      for (const std::string &input : reader.input_files())
+      for (const std::string &input : reader.assignments().input_files())
         if (directory.would_replace(input))
           throw InputError("'Output/Output directory' = '" + path +
                            "': the run would write over the file '" + input +

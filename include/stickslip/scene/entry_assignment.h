@@ -20,6 +20,16 @@ namespace StickSlip
   std::string
   naming(const Assignment &assignment);
 
+  /** An entry and a value of it, for messages. */
+  std::string
+  naming(const std::string &path, const std::string &value);
+  std::string
+  naming(const std::string &path, const double value);
+
+  /** The path of the entry that makes bodies periodic along an axis. */
+  std::string
+  periodic_entry(const unsigned int axis);
+
   /** The entry to which a value is assigned; the end if there is none. */
   std::vector<DeclaredEntry>::const_iterator
   find_declared(const std::vector<DeclaredEntry> &entries,
