@@ -57,6 +57,6 @@ namespace StickSlip
          << record.driven_sides << ',' << record.loads << ',' << record.friction
          << ',' << record.viscosity << ',' << record.radiation << ','
          << record.contact << ',' << record.mappings << ',' << record.missing;
-    file.end_row();
+    file.end_waiting_row();
   }
 } // namespace StickSlip

@@ -5,22 +5,16 @@
 
 #include <stickslip/base/agreement.h>
 #include <stickslip/base/magnitude.h>
-#include <stickslip/mesh/refined_cells.h>
-#include <stickslip/output/atomic_file.h>
 #include <stickslip/output/contact_states.h>
 #include <stickslip/output/fault_surface_writer.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/members_of.h>
-#include <stickslip/scene/scene_writer.h>
 #include <stickslip/simulation/fault_layouts.h>
 #include <stickslip/simulation/fault_rigidity.h>
 #include <stickslip/simulation/run_record.h>
 #include <stickslip/simulation/volume_materials.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <iostream>
 #include <optional>
 #include <utility>
 
@@ -28,25 +22,6 @@ namespace StickSlip
 {
   namespace
   {
-    OutputDirectory
-    prepared_directory(const std::string &path, const RecordState *earlier)
-    {
-      OutputDirectory directory(path);
-      if (earlier == nullptr)
-        directory.remove_earlier_results();
-      else
-        {
-          VolumeEntries kept = earlier->volumes;
-          kept.insert(kept.end(),
-                      earlier->surfaces.begin(),
-                      earlier->surfaces.end());
-          directory.remove_later_results(kept);
-        }
-      return directory;
-    }
-
-
-
     /** Collective. */
     template <int dim, int n_components>
     EnergyRecord
@@ -69,103 +44,6 @@ namespace StickSlip
       return record;
     }
   } // namespace
-
-
-
-  template <int dim, int n_components>
-  RunRecord<dim, n_components>::Files::Files(
-    const SceneParameters<dim>            &scene,
-    const std::vector<FaultSnapshot<dim>> &faults,
-    const std::vector<FaultLayout<dim>>   &shapes,
-    const std::vector<StationTable>       &station_tables,
-    const RecordState                     *earlier)
-    : directory(prepared_directory(scene.output.directory, earlier))
-    , catalogue(directory.file("events.csv"),
-                names_of(scene.faults),
-                shapes,
-                event_start_slip_rate(scene),
-                scene.output.event_end_fraction)
-    , volumes(directory.file("solution.pvd"))
-    , surfaces(directory.file("faults.pvd"))
-    , progress(std::cout, isatty(STDOUT_FILENO) == 1, scene.time.end_time)
-  {
-    const std::string series_file  = directory.file("time_series.csv"),
-                      history_file = directory.file("faults.h5");
-    if (scene.output.time_series_steps > 0)
-      time_series = earlier != nullptr && earlier->time_series.size > 0 ?
-                      std::make_unique<TimeSeries<dim>>(series_file,
-                                                        faults,
-                                                        earlier->time_series) :
-                      std::make_unique<TimeSeries<dim>>(series_file, faults);
-    const std::string energy_file = directory.file("energy.csv");
-    if (scene.output.time_series_steps > 0 && scene.output.energy_balance)
-      energies =
-        earlier != nullptr && earlier->energies.size > 0 ?
-          std::make_unique<EnergySeries>(energy_file, earlier->energies) :
-          std::make_unique<EnergySeries>(energy_file, dim);
-    if (scene.output.write_faults)
-      history = earlier != nullptr && earlier->history.size > 0 ?
-                  std::make_unique<FaultHistory<dim>>(history_file,
-                                                      faults,
-                                                      scene.output.fault_fields,
-                                                      earlier->history) :
-                  std::make_unique<FaultHistory<dim>>(
-                    history_file, faults, shapes, scene.output.fault_fields);
-    if (!station_tables.empty())
-      stations =
-        earlier != nullptr && !earlier->stations.empty() ?
-          std::make_unique<StationFiles>(directory,
-                                         station_tables,
-                                         earlier->stations) :
-          std::make_unique<StationFiles>(
-            directory,
-            station_tables,
-            std::filesystem::path(scene.output.directory).filename().string());
-    if (std::any_of(faults.begin(), faults.end(), [](const auto &fault) {
-          return fault.may_open();
-        }))
-      openings =
-        std::make_unique<OpeningCatalogue<dim>>(directory.file("openings.csv"),
-                                                shapes,
-                                                scene.output.opening_threshold);
-    if (earlier != nullptr)
-      {
-        catalogue.resume(earlier->events);
-        if (openings)
-          openings->resume(earlier->openings);
-        volumes.resume(earlier->volumes);
-        surfaces.resume(earlier->surfaces);
-      }
-    describe_tables(faults);
-    SceneParameters<dim> repeated = scene;
-    if (!scene.mesh_accuracy.refined_cells.empty())
-      {
-        MeshAccuracy &meshes      = repeated.mesh_accuracy;
-        meshes.refined_cells_file = MeshAccuracy::file_of_run;
-        write_file_atomically(directory.file(meshes.refined_cells_file),
-                              table_of_refined_cells(names_of(scene.bodies),
-                                                     meshes.refined_cells));
-      }
-    write_parameters(repeated, directory.file("parameters.prm"));
-  }
-
-
-
-  template <int dim, int n_components>
-  void
-  RunRecord<dim, n_components>::Files::describe_tables(
-    const std::vector<FaultSnapshot<dim>> &faults) const
-  {
-    std::vector<std::pair<std::string, TableColumns>> tables;
-    if (time_series)
-      tables.emplace_back("time_series.csv", TimeSeries<dim>::columns(faults));
-    if (energies)
-      tables.emplace_back("energy.csv", EnergySeries::columns(dim));
-    tables.emplace_back("events.csv", catalogue.columns());
-    if (openings)
-      tables.emplace_back("openings.csv", openings->columns());
-    write_columns(directory.file("columns.csv"), tables);
-  }
 
 
 
@@ -195,7 +73,7 @@ namespace StickSlip
         make_fault_layouts(space.jump_basis());
       for (unsigned int f = 0; f < shapes.size(); ++f)
         shapes[f].rigidity = fault_rigidity(scene, f, shapes[f].surface.points);
-      files = std::make_unique<Files>(
+      files = std::make_unique<RunFiles<dim>>(
         scene, faults, shapes, stations.tables(), earlier);
     });
     if (earlier == nullptr)
@@ -506,6 +384,8 @@ namespace StickSlip
         return;
       if (files->time_series)
         files->time_series->finish();
+      if (files->energies)
+        files->energies->finish();
       files->catalogue.finish();
       RunSummary                    whole   = summary;
       RunSummary::Section          &section = whole.add_section("Events");

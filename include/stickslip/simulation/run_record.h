@@ -4,20 +4,13 @@
 #ifndef stickslip_simulation_run_record_h
 #define stickslip_simulation_run_record_h
 
-#include <stickslip/output/energy_series.h>
-#include <stickslip/output/event_catalogue.h>
-#include <stickslip/output/fault_history.h>
-#include <stickslip/output/opening_catalogue.h>
 #include <stickslip/output/output_cadence.h>
-#include <stickslip/output/output_directory.h>
-#include <stickslip/output/progress.h>
-#include <stickslip/output/pvd_record.h>
 #include <stickslip/output/run_summary.h>
-#include <stickslip/output/time_series.h>
 #include <stickslip/output/volume_files.h>
 #include <stickslip/problem/contact_space.h>
 #include <stickslip/problem/system_state.h>
 #include <stickslip/scene/scene_parameters.h>
+#include <stickslip/simulation/run_files.h>
 #include <stickslip/simulation/run_state.h>
 #include <stickslip/simulation/stations.h>
 #include <stickslip/time/energy_balance.h>
@@ -126,32 +119,6 @@ namespace StickSlip
       return scene.output.write_volume || scene.output.write_fault_surfaces;
     }
 
-    /** Files and what goes into them, on the process that writes. */
-    struct Files
-    {
-      Files(const SceneParameters<dim>            &scene,
-            const std::vector<FaultSnapshot<dim>> &faults,
-            const std::vector<FaultLayout<dim>>   &shapes,
-            const std::vector<StationTable>       &station_tables,
-            const RecordState                     *earlier);
-
-      /** Say in columns.csv what is in the tables. */
-      void
-      describe_tables(const std::vector<FaultSnapshot<dim>> &faults) const;
-
-      const OutputDirectory directory;
-      EventCatalogue<dim>   catalogue;
-      PvdRecord             volumes, surfaces;
-      Progress              progress;
-      /** Files that are asked for, null otherwise. */
-      std::unique_ptr<TimeSeries<dim>>   time_series;
-      std::unique_ptr<EnergySeries>      energies;
-      std::unique_ptr<FaultHistory<dim>> history;
-      std::unique_ptr<StationFiles>      stations;
-      /** Openings, if a fault may open, null otherwise. */
-      std::unique_ptr<OpeningCatalogue<dim>> openings;
-    };
-
     const SceneParameters<dim>            &scene;
     const ContactSpace<dim, n_components> &space;
     const MPI_Comm                         communicator;
@@ -159,11 +126,12 @@ namespace StickSlip
     const std::function<void()>            complete_state;
     const BodyValues                       body_values;
     /** Slip rate from which on a node slides, m/s. */
-    const double           sliding_rate;
-    std::unique_ptr<Files> files;
-    OutputCadence          fault_cadence;
-    OutputCadence          station_cadence;
-    OutputCadence          volume_cadence;
+    const double sliding_rate;
+    /** On the process that writes. */
+    std::unique_ptr<RunFiles<dim>> files;
+    OutputCadence                  fault_cadence;
+    OutputCadence                  station_cadence;
+    OutputCadence                  volume_cadence;
 
     /** The last step taken in, and whether it is in the files; of the time
      * series only the process knows that writes. */
