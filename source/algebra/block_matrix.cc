@@ -6,6 +6,7 @@
 #include <stickslip/base/make_set.h>
 
 #include <algorithm>
+#include <array>
 
 namespace StickSlip
 {
@@ -157,16 +158,23 @@ namespace StickSlip
     const Tensor<1, n_components> &values,
     NodeValues<Number>            &r) const
   {
-    for (unsigned int p = pattern->row_start[node];
-         p < pattern->row_start[node + 1];
-         ++p)
+    // Copies, since the compiler must take a result for one of the values.
+    const Tensor<1, n_components> v        = values;
+    Number *const                 residual = r.begin();
+    const unsigned int            end      = pattern->row_start[node + 1];
+    for (unsigned int p = pattern->row_start[node]; p < end; ++p)
       {
         const Number *A = block(p);
         Number       *target =
-          r.begin() + std::size_t(pattern->column[p]) * n_components;
+          residual + std::size_t(pattern->column[p]) * n_components;
+        std::array<Number, n_components> sum;
+        for (unsigned int d = 0; d < n_components; ++d)
+          sum[d] = target[d];
         for (unsigned int c = 0; c < n_components; ++c)
           for (unsigned int d = 0; d < n_components; ++d)
-            target[d] -= A[c * n_components + d] * values[c];
+            sum[d] -= A[c * n_components + d] * v[c];
+        for (unsigned int d = 0; d < n_components; ++d)
+          target[d] = sum[d];
       }
   }
 

@@ -213,17 +213,21 @@ namespace StickSlip
   NonsmoothSolver<n_components>::find_smoothing(const NodalVector &before,
                                                 const NodalVector &w)
   {
-    smoothing.clear();
-    smoothing.reserve(sweeps_everywhere ?
-                        w.locally_owned_size() :
-                        unknowns.nonsmooth_nodes.size() * n_components);
-    double downwards = 0., square = 0.;
+    smoothing.resize(sweeps_everywhere ?
+                       w.locally_owned_size() :
+                       unknowns.nonsmooth_nodes.size() * n_components);
+    double *swept = smoothing.data();
     for_each_swept_entry([&](const unsigned int i) {
-      const double change = w.local_element(i) - before.local_element(i);
-      smoothing.push_back(change);
-      downwards += change * residual.local_element(i);
+      *swept++ = w.local_element(i) - before.local_element(i);
+    });
+    // A loop of its own, in which sums stay in registers.
+    const double *change    = smoothing.data();
+    double        downwards = 0., square = 0.;
+    for_each_swept_entry([&](const unsigned int i) {
+      downwards += *change * residual.local_element(i);
       square +=
-        change * (residual.local_element(i) - new_residual.local_element(i));
+        *change * (residual.local_element(i) - new_residual.local_element(i));
+      ++change;
     });
     return {downwards, square};
   }
