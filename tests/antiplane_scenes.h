@@ -4,6 +4,7 @@
 #ifndef stickslip_tests_antiplane_scenes_h
 #define stickslip_tests_antiplane_scenes_h
 
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
@@ -86,7 +87,9 @@ end
   {
     return make_fault_snapshots(simulation.state(),
                                 simulation.fault_nodes(),
-                                simulation.node_laws(),
+                                shear_tractions(simulation.fault_nodes(),
+                                                simulation.node_laws(),
+                                                simulation.state()),
                                 simulation.spatial_problem().jump_basis(),
                                 names);
   }

@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
@@ -118,7 +119,9 @@ TEST(SlidingOverWavesInSpace, HasThePressureOfHalfSpaces)
       const FaultSnapshot<3> fault =
         make_fault_snapshots(simulation.state(),
                              simulation.fault_nodes(),
-                             simulation.node_laws(),
+                             shear_tractions(simulation.fault_nodes(),
+                                             simulation.node_laws(),
+                                             simulation.state()),
                              simulation.spatial_problem().jump_basis(),
                              {"fault"})
           .front();

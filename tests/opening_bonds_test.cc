@@ -187,7 +187,8 @@ TEST(OpeningBonds, BreakInARow)
       const std::vector<char> before = scene.state.is_bonded;
       const StepResult<2>     step   = scene.advance(tau);
       ASSERT_TRUE(step.converged) << step.failure;
-      scene.energy->add(step);
+      scene.energy->add(step,
+                        shear_tractions(scene.faults, scene.laws, step.state));
       missing = std::max(missing, std::abs(scene.energy->defect(scene.state)));
       double bonded = 0., broken = 2.1;
       for (unsigned int k = 0; k < points.size(); ++k)

@@ -127,7 +127,8 @@ TEST(OpeningEnergy, IsBalancedWithDrivenSides)
         {
           const StepResult<2> step = scene.advance(1e-3 * (1 + i % 3));
           ASSERT_TRUE(step.converged) << step.failure;
-          scene.energy->add(step);
+          scene.energy->add(
+            step, shear_tractions(scene.faults, scene.laws, step.state));
           worst = std::max(worst, std::abs(scene.energy->defect(scene.state)));
         }
       const EnergyTerms &work = scene.energy->work();

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
@@ -99,7 +100,9 @@ end
       simulation.advance();
     return make_fault_snapshots(simulation.state(),
                                 simulation.fault_nodes(),
-                                simulation.node_laws(),
+                                shear_tractions(simulation.fault_nodes(),
+                                                simulation.node_laws(),
+                                                simulation.state()),
                                 simulation.spatial_problem().jump_basis(),
                                 {"fault"})
       .front();

@@ -5,6 +5,7 @@
 #define stickslip_tests_simulation_scenes_h
 
 #include <stickslip/output/event_catalogue.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_layouts.h>
@@ -38,7 +39,9 @@ namespace StickSlip::Tests
   {
     return make_fault_snapshots(simulation.state(),
                                 simulation.fault_nodes(),
-                                simulation.node_laws(),
+                                shear_tractions(simulation.fault_nodes(),
+                                                simulation.node_laws(),
+                                                simulation.state()),
                                 simulation.spatial_problem().jump_basis(),
                                 names);
   }

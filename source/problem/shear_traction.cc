@@ -8,20 +8,58 @@ namespace StickSlip
 {
   namespace
   {
-    /** True if the forces on a node tell its shear traction, and the law does
-     * not. */
+    /** True if the forces on a node with this slip rate tell its shear
+     * traction, and the law does not. */
     template <int dim>
     bool
-    is_balancing(const FaultNodes<dim>  &faults,
-                 const NodeLaws         &laws,
-                 const SystemState<dim> &state,
-                 const unsigned int      k)
+    is_balancing(const FaultNodes<dim>    &faults,
+                 const NodeLaws           &laws,
+                 const SystemState<dim>   &state,
+                 const Tensor<1, dim - 1> &slip_rate,
+                 const unsigned int        k)
     {
       const bool is_held = state.normal_stress[k] > 0. ||
                            (!state.is_bonded.empty() && state.is_bonded[k]);
       return faults.in_contact(k) &&
              (laws[k].is_prescribed ||
-              (is_held && magnitude(state.slip_rate[k]) < least_slip_rate));
+              (is_held && magnitude(slip_rate) < least_slip_rate));
+    }
+
+
+
+    /** The friction coefficient of the law, times the direction of slip. */
+    template <int dim>
+    Tensor<1, dim - 1>
+    directed_friction_of_law(const NodeLaws           &laws,
+                             const SystemState<dim>   &state,
+                             const Tensor<1, dim - 1> &slip_rate,
+                             const unsigned int        k)
+    {
+      const double V = magnitude(slip_rate);
+      if (V == 0.)
+        return Tensor<1, dim - 1>();
+      const FrictionLaw &law = *laws[k].friction;
+      return law.coefficient(V, law.node_data(state.alpha[k])) / V * slip_rate;
+    }
+
+
+
+    /** shear_traction() at a slip rate. */
+    template <int dim>
+    Tensor<1, dim - 1>
+    traction_at(const FaultNodes<dim>    &faults,
+                const NodeLaws           &laws,
+                const SystemState<dim>   &state,
+                const Tensor<1, dim - 1> &slip_rate,
+                const unsigned int        k)
+    {
+      if (!faults.in_contact(k))
+        return Tensor<1, dim - 1>();
+      if (is_balancing(faults, laws, state, slip_rate, k))
+        return state.balancing_traction.empty() ? Tensor<1, dim - 1>() :
+                                                  state.balancing_traction[k];
+      return state.normal_stress[k] *
+             directed_friction_of_law(laws, state, slip_rate, k);
     }
   } // namespace
 
@@ -34,16 +72,12 @@ namespace StickSlip
                     const SystemState<dim> &state,
                     const unsigned int      k)
   {
-    if (is_balancing(faults, laws, state, k))
+    const Tensor<1, dim - 1> &slip_rate = state.slip_rate[k];
+    if (is_balancing(faults, laws, state, slip_rate, k))
       return state.balancing_traction.empty() || state.normal_stress[k] == 0. ?
                Tensor<1, dim - 1>() :
                state.balancing_traction[k] / state.normal_stress[k];
-    const double V = magnitude(state.slip_rate[k]);
-    if (V == 0.)
-      return Tensor<1, dim - 1>();
-    const FrictionLaw &law = *laws[k].friction;
-    return law.coefficient(V, law.node_data(state.alpha[k])) / V *
-           state.slip_rate[k];
+    return directed_friction_of_law(laws, state, slip_rate, k);
   }
 
 
@@ -55,12 +89,7 @@ namespace StickSlip
                  const SystemState<dim> &state,
                  const unsigned int      k)
   {
-    if (!faults.in_contact(k))
-      return Tensor<1, dim - 1>();
-    if (is_balancing(faults, laws, state, k) &&
-        !state.balancing_traction.empty())
-      return state.balancing_traction[k];
-    return state.normal_stress[k] * directed_friction(faults, laws, state, k);
+    return traction_at(faults, laws, state, state.slip_rate[k], k);
   }
 
 
@@ -79,6 +108,32 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  shear_tractions(const FaultNodes<dim>                 &faults,
+                  const NodeLaws                        &laws,
+                  const SystemState<dim>                &state,
+                  const std::vector<Tensor<1, dim - 1>> &slip_rate)
+  {
+    std::vector<Tensor<1, dim - 1>> result(faults.size());
+    for (unsigned int k = 0; k < faults.size(); ++k)
+      result[k] = traction_at(faults, laws, state, slip_rate[k], k);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  shear_tractions(const FaultNodes<dim>  &faults,
+                  const NodeLaws         &laws,
+                  const SystemState<dim> &state)
+  {
+    return shear_tractions(faults, laws, state, state.slip_rate);
+  }
+
+
+
   namespace
   {
     /** Answers are the same on all processes, which have all nodes. */
@@ -89,7 +144,7 @@ namespace StickSlip
                      const SystemState<dim> &state)
     {
       for (unsigned int k = 0; k < faults.size(); ++k)
-        if (is_balancing(faults, laws, state, k))
+        if (is_balancing(faults, laws, state, state.slip_rate[k], k))
           return true;
       return false;
     }
@@ -108,7 +163,7 @@ namespace StickSlip
       return {};
     std::vector<Tensor<1, dim - 1>> result = forces;
     for (unsigned int k = 0; k < faults.size(); ++k)
-      result[k] = is_balancing(faults, laws, state, k) ?
+      result[k] = is_balancing(faults, laws, state, state.slip_rate[k], k) ?
                     result[k] / faults.weights()[k] :
                     Tensor<1, dim - 1>();
     return result;
@@ -143,6 +198,25 @@ namespace StickSlip
   template decltype(shear_traction<3>)    shear_traction<3>;
   template decltype(written_traction<2>)  written_traction<2>;
   template decltype(written_traction<3>)  written_traction<3>;
+
+#define STICKSLIP_INSTANTIATE(dim)                                        \
+  template std::vector<Tensor<1, dim - 1>> shear_tractions(               \
+    const FaultNodes<dim> &, const NodeLaws &, const SystemState<dim> &); \
+  template std::vector<Tensor<1, dim - 1>> shear_tractions(               \
+    const FaultNodes<dim> &,                                              \
+    const NodeLaws &,                                                     \
+    const SystemState<dim> &,                                             \
+    const std::vector<Tensor<1, dim - 1>> &);                             \
+  template std::vector<Tensor<1, dim - 1>> balancing_tractions(           \
+    const FaultNodes<dim> &,                                              \
+    const NodeLaws &,                                                     \
+    const SystemState<dim> &,                                             \
+    const std::vector<Tensor<1, dim - 1>> &);
+
+  STICKSLIP_INSTANTIATE(2)
+  STICKSLIP_INSTANTIATE(3)
+#undef STICKSLIP_INSTANTIATE
+
 #define STICKSLIP_INSTANTIATE(dim, n_components)                \
   template std::vector<Tensor<1, dim - 1>> balancing_tractions( \
     const FaultNodes<dim> &,                                    \
@@ -155,15 +229,4 @@ namespace StickSlip
   STICKSLIP_INSTANTIATE(2, 2)
   STICKSLIP_INSTANTIATE(3, 3)
   STICKSLIP_INSTANTIATE(2, 1)
-
-  template std::vector<Tensor<1, 1>>
-  balancing_tractions(const FaultNodes<2> &,
-                      const NodeLaws &,
-                      const SystemState<2> &,
-                      const std::vector<Tensor<1, 1>> &);
-  template std::vector<Tensor<1, 2>>
-  balancing_tractions(const FaultNodes<3> &,
-                      const NodeLaws &,
-                      const SystemState<3> &,
-                      const std::vector<Tensor<1, 2>> &);
 } // namespace StickSlip

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
-#include <stickslip/problem/shear_traction.h>
 #include <stickslip/simulation/fault_snapshots.h>
 
 #include <cmath>
@@ -10,12 +9,12 @@ namespace StickSlip
 {
   template <int dim>
   std::vector<FaultSnapshot<dim>>
-  make_fault_snapshots(const SystemState<dim>         &state,
-                       const FaultNodes<dim>          &nodes,
-                       const NodeLaws                 &laws,
-                       const JumpBasis<dim>           &basis,
-                       const std::vector<std::string> &names,
-                       const std::vector<bool>        &may_open)
+  make_fault_snapshots(const SystemState<dim>                &state,
+                       const FaultNodes<dim>                 &nodes,
+                       const std::vector<Tensor<1, dim - 1>> &tractions,
+                       const JumpBasis<dim>                  &basis,
+                       const std::vector<std::string>        &names,
+                       const std::vector<bool>               &may_open)
   {
     std::vector<FaultSnapshot<dim>> snapshots(names.size());
     for (unsigned int f = 0; f < names.size(); ++f)
@@ -54,8 +53,7 @@ namespace StickSlip
                   in_contact ? state.opening_rate[k] : 0.);
                 snapshot.is_bonded.push_back(state.is_bonded[k]);
               }
-            snapshot.shear_traction.push_back(
-              sign * written_traction(nodes, laws, state, k));
+            snapshot.shear_traction.push_back(sign * tractions[k]);
           }
       }
     return snapshots;

@@ -8,6 +8,7 @@
 #include <stickslip/base/input_error.h>
 #include <stickslip/mechanics/elastic_assembly.h>
 #include <stickslip/output/interrupt.h>
+#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/members_of.h>
 #include <stickslip/scene/scene_checks.h>
 #include <stickslip/scene/scene_writer.h>
@@ -357,11 +358,13 @@ namespace StickSlip
   {
     RunCounts &counts = run_state.counts;
     counts.add(step.step_size, step.counts);
+    const std::vector<Tensor<1, dim - 1>> tractions =
+      shear_tractions(faults, laws, step.state);
     if (energy)
       {
         SectionTimes::Scope section(times, "Energy balance");
         complete_step(step);
-        energy->add(step);
+        energy->add(step, tractions);
       }
     run_state.system = std::move(step.state);
     if (following_stress.is_needed())
@@ -379,7 +382,7 @@ namespace StickSlip
                    run_state.steps.last_error.faults,
                    run_state.steps.last_error.bodies},
                   state(),
-                  fault_snapshots(),
+                  fault_snapshots(tractions),
                   energy.get());
   }
 
@@ -505,7 +508,8 @@ namespace StickSlip
 
   template <int dim, int n_components>
   std::vector<FaultSnapshot<dim>>
-  Simulation<dim, n_components>::fault_snapshots() const
+  Simulation<dim, n_components>::fault_snapshots(
+    const std::vector<Tensor<1, dim - 1>> &tractions) const
   {
     std::vector<bool> may_open;
     for (const FaultParameters &fault : scene.faults)
@@ -513,7 +517,9 @@ namespace StickSlip
     std::vector<FaultSnapshot<dim>> snapshots =
       make_fault_snapshots(state(),
                            faults,
-                           laws,
+                           state().mean_traction.empty() ?
+                             tractions :
+                             state().mean_traction,
                            problem.jump_basis(),
                            names_of(scene.faults),
                            may_open);
@@ -528,8 +534,9 @@ namespace StickSlip
   void
   Simulation<dim, n_components>::open_record()
   {
-    const bool                      goes_on   = !run_state.restarts.empty();
-    std::vector<FaultSnapshot<dim>> snapshots = fault_snapshots();
+    const bool                      goes_on = !run_state.restarts.empty();
+    std::vector<FaultSnapshot<dim>> snapshots =
+      fault_snapshots(shear_tractions(faults, laws, state()));
     for (unsigned int f = 0; f < run_state.recorded_faults.size(); ++f)
       {
         FaultSnapshot<dim> &recorded = run_state.recorded_faults[f];

@@ -3,7 +3,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <stickslip/base/magnitude.h>
 #include <stickslip/problem/known_velocities.h>
 #include <stickslip/problem/shear_traction.h>
 #include <stickslip/time/energy_balance.h>
@@ -24,16 +23,15 @@ namespace StickSlip
                 const NodalVector              &x)
     {
       const BlockSparsity &sparsity = A.sparsity();
-      double               sum      = 0.;
+      std::vector<double>  buffer;
+      const double *numbers = A.row(row, buffer) + component * n_components;
+      double        sum     = 0.;
       for (unsigned int position = sparsity.row_start[row];
            position < sparsity.row_start[row + 1];
-           ++position)
-        {
-          const Tensor<2, n_components> block = A.entry(row, position);
-          for (unsigned int d = 0; d < n_components; ++d)
-            sum += block[component][d] *
-                   x.begin()[sparsity.column[position] * n_components + d];
-        }
+           ++position, numbers += n_components * n_components)
+        for (unsigned int d = 0; d < n_components; ++d)
+          sum += numbers[d] *
+                 x.begin()[sparsity.column[position] * n_components + d];
       return sum;
     }
   } // namespace
@@ -113,7 +111,7 @@ namespace StickSlip
     account                = EnergyAccount();
     account.initial_energy = kinetic_energy(state) + elastic_energy(state);
     resume(state);
-    set_fault_forces(state, state.slip_rate);
+    set_fault_forces(shear_tractions(faults, laws, state), state.slip_rate);
   }
 
 
@@ -125,7 +123,7 @@ namespace StickSlip
   {
     account.work.mappings += this->kinetic_energy(state) - kinetic_energy;
     resume(state);
-    set_fault_forces(state, state.slip_rate);
+    set_fault_forces(shear_tractions(faults, laws, state), state.slip_rate);
   }
 
 
@@ -176,23 +174,29 @@ namespace StickSlip
 
   template <int dim, int n_components>
   void
-  EnergyBalance<dim, n_components>::add(const StepResult<dim> &step)
+  EnergyBalance<dim, n_components>::add(
+    const StepResult<dim>                 &step,
+    const std::vector<Tensor<1, dim - 1>> &tractions)
   {
     double tau = step.step_size;
-    if (step.before_contact)
+    if (const auto &before = step.before_contact)
       {
-        add_part(*step.before_contact, step.before_contact->step_size);
-        tau -= step.before_contact->step_size;
+        add_part(*before,
+                 before->step_size,
+                 shear_tractions(faults, laws, before->state));
+        tau -= before->step_size;
       }
-    add_part(step, tau);
+    add_part(step, tau, tractions);
   }
 
 
 
   template <int dim, int n_components>
   void
-  EnergyBalance<dim, n_components>::add_part(const StepResult<dim> &step,
-                                             const double           tau)
+  EnergyBalance<dim, n_components>::add_part(
+    const StepResult<dim>                 &step,
+    const double                           tau,
+    const std::vector<Tensor<1, dim - 1>> &tractions)
   {
     const SystemState<dim> &to = step.state;
     const bool  has_impact     = step.velocity_before_impacts.size() > 0;
@@ -211,11 +215,11 @@ namespace StickSlip
       }
     else
       {
-        const double *const v_last = last->velocity.begin(), *const v_end =
-                                                               end->velocity
-                                                                 .begin();
-        double *const du = change.begin();
-        for (unsigned int i = 0; i < change.locally_owned_size(); ++i)
+        const unsigned int  n      = change.locally_owned_size();
+        const double *const v_last = last->velocity.begin();
+        const double *const v_end  = end->velocity.begin();
+        double *const       du     = change.begin();
+        for (unsigned int i = 0; i < n; ++i)
           du[i] = tau * (0.5 * v_last[i] + 0.5 * v_end[i]);
       }
 
@@ -239,7 +243,9 @@ namespace StickSlip
                                 std::move(account.friction_forces),
                               radiation_before =
                                 std::move(account.radiation_forces);
-    set_fault_forces(to, slip_rate);
+    set_fault_forces(has_impact ? shear_tractions(faults, laws, to, slip_rate) :
+                                  tractions,
+                     slip_rate);
     for (unsigned int d = 0, i = 0; d < dim - 1; ++d)
       for (unsigned int k = 0; k < faults.size(); ++k, ++i)
         {
@@ -262,32 +268,21 @@ namespace StickSlip
   template <int dim, int n_components>
   void
   EnergyBalance<dim, n_components>::set_fault_forces(
-    const SystemState<dim>                &state,
+    const std::vector<Tensor<1, dim - 1>> &tractions,
     const std::vector<Tensor<1, dim - 1>> &slip_rate)
   {
     account.friction_forces.assign((dim - 1) * faults.size(), 0.);
     account.radiation_forces = account.friction_forces;
     for (unsigned int k = 0; k < faults.size(); ++k)
-      {
-        // Forces at nodes of known slip rate are those of driven sides.
-        if (faults.weights()[k] <= 0. || laws[k].is_prescribed)
-          continue;
-        const double V = magnitude(slip_rate[k]);
-        // Nodes at rest have the traction that balances all others.
-        const Tensor<1, dim - 1> traction =
-          V == 0. ? shear_traction(faults, laws, state, k) :
-                    state.normal_stress[k] *
-                      laws[k].friction->coefficient(
-                        V, laws[k].friction->node_data(state.alpha[k])) /
-                      V * slip_rate[k];
+      // Forces at nodes of known slip rate are those of driven sides.
+      if (faults.in_contact(k) && !laws[k].is_prescribed)
         for (unsigned int d = 0; d < dim - 1; ++d)
           {
             const unsigned int i       = d * faults.size() + k;
-            account.friction_forces[i] = faults.weights()[k] * traction[d];
+            account.friction_forces[i] = faults.weights()[k] * tractions[k][d];
             account.radiation_forces[i] =
               faults.weights()[k] * laws[k].radiation_damping * slip_rate[k][d];
           }
-      }
   }
 
 

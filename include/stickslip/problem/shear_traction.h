@@ -55,6 +55,26 @@ namespace StickSlip
                    const unsigned int      k);
 
   /**
+   * Shear tractions at all slave nodes.
+   */
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  shear_tractions(const FaultNodes<dim>  &faults,
+                  const NodeLaws         &laws,
+                  const SystemState<dim> &state);
+
+  /**
+   * Shear tractions at all slave nodes at other slip rates than those of @p
+   * state.
+   */
+  template <int dim>
+  std::vector<Tensor<1, dim - 1>>
+  shear_tractions(const FaultNodes<dim>                 &faults,
+                  const NodeLaws                        &laws,
+                  const SystemState<dim>                &state,
+                  const std::vector<Tensor<1, dim - 1>> &slip_rate);
+
+  /**
    * The shear tractions that balance @p forces on all slave nodes, N, Pa, where
    * the law does not tell them; else as below.
    */

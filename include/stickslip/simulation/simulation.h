@@ -153,8 +153,9 @@ namespace StickSlip
     void
     note_gaps();
 
+    /** The fields of the faults, with @p tractions by shear_tractions(). */
     std::vector<FaultSnapshot<dim>>
-    fault_snapshots() const;
+    fault_snapshots(const std::vector<Tensor<1, dim - 1>> &tractions) const;
 
     /** Create the files of a run, with the present state if it is the first.
      */

@@ -134,9 +134,11 @@ namespace StickSlip
     void
     resume(const SystemState<dim> &state);
 
-    /** Add a step from the last state taken in. */
+    /** Add a step from the last state taken in. @p tractions: those at its
+     * end, by shear_tractions(), which others need as well. */
     void
-    add(const StepResult<dim> &step);
+    add(const StepResult<dim>                 &step,
+        const std::vector<Tensor<1, dim - 1>> &tractions);
 
     /** Work since the start. */
     const EnergyTerms &
@@ -170,11 +172,13 @@ namespace StickSlip
   private:
     /** Add a step of size @p tau that is one. */
     void
-    add_part(const StepResult<dim> &step, const double tau);
+    add_part(const StepResult<dim>                 &step,
+             const double                           tau,
+             const std::vector<Tensor<1, dim - 1>> &tractions);
 
-    /** Set the forces of faults to those of @p state with these slip rates. */
+    /** Set the forces of faults to those of these tractions and slip rates. */
     void
-    set_fault_forces(const SystemState<dim>                &state,
+    set_fault_forces(const std::vector<Tensor<1, dim - 1>> &tractions,
                      const std::vector<Tensor<1, dim - 1>> &slip_rate);
 
     /** One time of the run, in the jump basis. */
