@@ -14,16 +14,16 @@ namespace StickSlip
 {
   namespace
   {
-    /** One component of one row of A x. */
+    /** One component of one row of A x; @p buffer is memory for the row. */
     template <int n_components>
     double
     row_product(const TermMatrix<n_components> &A,
                 const unsigned int              row,
                 const unsigned int              component,
-                const NodalVector              &x)
+                const NodalVector              &x,
+                std::vector<double>            &buffer)
     {
       const BlockSparsity &sparsity = A.sparsity();
-      std::vector<double>  buffer;
       const double *numbers = A.row(row, buffer) + component * n_components;
       double        sum     = 0.;
       for (unsigned int position = sparsity.row_start[row];
@@ -369,9 +369,10 @@ namespace StickSlip
       return;
     const unsigned int row       = driven[k] / n_components,
                        component = driven[k] % n_components;
-    const auto product           = [&](const typename Problem::Term term,
+    std::vector<double> buffer;
+    const auto          product = [&](const typename Problem::Term term,
                              const NodalVector           &x) {
-      return row_product(problem.term(term), row, component, x);
+      return row_product(problem.term(term), row, component, x, buffer);
     };
     moment.force[k] = product(Problem::stiffness, moment.displacement) -
                       load(moment).local_element(driven[k]);
@@ -391,14 +392,16 @@ namespace StickSlip
     const TermMatrix<n_components> &mass =
       problem.term(SpatialProblem<dim, n_components>::mass);
     update_ghosts(velocity_change);
-    double work = 0.;
+    std::vector<double> buffer;
+    double              work = 0.;
     for (const unsigned int entry : driven)
       if (const double velocity = end->velocity.local_element(entry);
           velocity != 0.)
         work += velocity * row_product(mass,
                                        entry / n_components,
                                        entry % n_components,
-                                       velocity_change);
+                                       velocity_change,
+                                       buffer);
     return Utilities::MPI::sum(work, change.get_mpi_communicator());
   }
 
