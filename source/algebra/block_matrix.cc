@@ -158,7 +158,8 @@ namespace StickSlip
     const Tensor<1, n_components> &values,
     NodeValues<Number>            &r) const
   {
-    // Copies, since the compiler must take a result for one of the values.
+    // Copies, since a result may be one of the values for all the compiler
+    // knows.
     const Tensor<1, n_components> v        = values;
     Number *const                 residual = r.begin();
     const unsigned int            end      = pattern->row_start[node + 1];

@@ -57,6 +57,6 @@ namespace StickSlip
          << record.driven_sides << ',' << record.loads << ',' << record.friction
          << ',' << record.viscosity << ',' << record.radiation << ','
          << record.contact << ',' << record.mappings << ',' << record.missing;
-    file.end_waiting_row();
+    file.end_row();
   }
 } // namespace StickSlip

@@ -384,8 +384,6 @@ namespace StickSlip
         return;
       if (files->time_series)
         files->time_series->finish();
-      if (files->energies)
-        files->energies->finish();
       files->catalogue.finish();
       RunSummary                    whole   = summary;
       RunSummary::Section          &section = whole.add_section("Events");

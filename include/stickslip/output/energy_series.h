@@ -47,16 +47,8 @@ namespace StickSlip
     static TableColumns
     columns(const unsigned int dim);
 
-    /** Append a row, which may wait for others that follow at once. */
     void
     add(const EnergyRecord &record);
-
-    /** Write what waits. */
-    void
-    finish()
-    {
-      file.write_waiting_rows();
-    }
 
     /** The file as it is now. */
     FileState
