@@ -207,7 +207,7 @@ TEST(Antiplane, SlipsAsASliceOfThreeDimensions)
       const FaultSnapshot<2> ours =
         end_of_antiplane_run(antiplane_bodies, settings);
       const auto [slip, rate] =
-        difference(ours, fault_of(simulation).front(), 1);
+        difference(ours, snapshots(simulation).front(), 1);
       EXPECT_LT(slip, 1e-6);
       EXPECT_LT(rate, 1e-5);
       EXPECT_GT(ours.slip[0][0], 1e-6);

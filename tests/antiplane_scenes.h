@@ -4,11 +4,10 @@
 #ifndef stickslip_tests_antiplane_scenes_h
 #define stickslip_tests_antiplane_scenes_h
 
-#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
-#include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
+#include "fault_snapshots.h"
 #include "stepping_scene.h"
 
 namespace StickSlip::Tests
@@ -79,23 +78,6 @@ end
 
 
 
-  /** The faults of a simulation as they are now. */
-  template <int dim, int n_components>
-  std::vector<FaultSnapshot<dim>>
-  fault_of(Simulation<dim, n_components>  &simulation,
-           const std::vector<std::string> &names = {"fault"})
-  {
-    return make_fault_snapshots(simulation.state(),
-                                simulation.fault_nodes(),
-                                shear_tractions(simulation.fault_nodes(),
-                                                simulation.node_laws(),
-                                                simulation.state()),
-                                simulation.spatial_problem().jump_basis(),
-                                names);
-  }
-
-
-
   /** The fault "fault" at the end of a run in which it slips out of the
    * plane. */
   inline FaultSnapshot<2>
@@ -107,7 +89,7 @@ end
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
-    return fault_of(simulation).front();
+    return snapshots(simulation).front();
   }
 
 

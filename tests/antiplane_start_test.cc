@@ -51,7 +51,7 @@ TEST(InitialSliding, StateFollowsFromStressAndSlipRate)
     read_scene(antiplane_bodies, creeping_as_a_whole + Settings{prestress}),
     MPI_COMM_WORLD);
   simulation.set_up();
-  const FaultSnapshot<2> fault = fault_of(simulation).front();
+  const FaultSnapshot<2> fault = snapshots(simulation).front();
   for (unsigned int k = 0; k < fault.points.size(); ++k)
     {
       EXPECT_EQ(fault.slip_rate[k][0], 1e-9);
@@ -85,9 +85,9 @@ TEST(InitialSliding, GoesOnWithoutAJump)
     read_scene(antiplane_bodies, creeping_as_a_whole + Settings{prestress}),
     MPI_COMM_WORLD);
   simulation.set_up();
-  const FaultSnapshot<2> before = fault_of(simulation).front();
+  const FaultSnapshot<2> before = snapshots(simulation).front();
   simulation.advance();
-  const FaultSnapshot<2> after = fault_of(simulation).front();
+  const FaultSnapshot<2> after = snapshots(simulation).front();
   EXPECT_LT(simulation.state().time, 0.01);
   for (unsigned int k = 0; k < before.points.size(); ++k)
     {
@@ -108,7 +108,7 @@ TEST(InitialSliding, AnyTwoOfThree)
                                       creeping_as_a_whole + state),
                            MPI_COMM_WORLD);
   by_rate.set_up();
-  const FaultSnapshot<2> fault = fault_of(by_rate).front();
+  const FaultSnapshot<2> fault = snapshots(by_rate).front();
   for (unsigned int k = 0; k < fault.points.size(); ++k)
     {
       const double a = 0.010 + 0.015 * std::max(0., fault.points[k][0]);

@@ -4,14 +4,13 @@
 #include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
-#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
-#include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>
 #include <complex>
 
+#include "fault_snapshots.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -116,17 +115,9 @@ TEST(SlidingOverWavesInSpace, HasThePressureOfHalfSpaces)
   while (!simulation.is_finished())
     {
       simulation.advance();
-      const FaultSnapshot<3> fault =
-        make_fault_snapshots(simulation.state(),
-                             simulation.fault_nodes(),
-                             shear_tractions(simulation.fault_nodes(),
-                                             simulation.node_laws(),
-                                             simulation.state()),
-                             simulation.spatial_problem().jump_basis(),
-                             {"fault"})
-          .front();
-      std::complex<double> wave;
-      double               area = 0, slip = 0, along_crests = 0;
+      const FaultSnapshot<3> fault = snapshots(simulation).front();
+      std::complex<double>   wave;
+      double                 area = 0, slip = 0, along_crests = 0;
       for (unsigned int p = 0; p < fault.points.size(); ++p)
         {
           wave += 2. * fault.weights[p] * fault.contact_pressure[p] *

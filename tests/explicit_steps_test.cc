@@ -113,7 +113,7 @@ end
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
-    return fault_of(simulation).front();
+    return snapshots(simulation).front();
   }
 
 

@@ -2,15 +2,14 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
-#include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>
 
 #include "box_layers.h"
 #include "error_message.h"
+#include "fault_snapshots.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -104,15 +103,7 @@ end
         result.most_iterations = std::max(result.most_iterations, now - before);
         before                 = now;
       }
-    result.fault =
-      make_fault_snapshots(simulation.state(),
-                           simulation.fault_nodes(),
-                           shear_tractions(simulation.fault_nodes(),
-                                           simulation.node_laws(),
-                                           simulation.state()),
-                           simulation.spatial_problem().jump_basis(),
-                           {"fault"})
-        .front();
+    result.fault      = snapshots(simulation).front();
     result.steps      = simulation.counts().accepted;
     result.iterations = simulation.counts().work.tnnmg_iterations;
     result.time       = simulation.state().time;

@@ -2,13 +2,12 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/problem/shear_traction.h>
-#include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>
 
 #include "creeping_of_any_dimension.h"
+#include "fault_snapshots.h"
 
 using namespace StickSlip;
 using namespace StickSlip::Tests;
@@ -50,14 +49,7 @@ namespace
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
-    return make_fault_snapshots(simulation.state(),
-                                simulation.fault_nodes(),
-                                shear_tractions(simulation.fault_nodes(),
-                                                simulation.node_laws(),
-                                                simulation.state()),
-                                simulation.spatial_problem().jump_basis(),
-                                {"fault"})
-      .front();
+    return snapshots(simulation).front();
   }
 
 

@@ -2,14 +2,13 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
-#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/scene_reader.h>
-#include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <cmath>
 
 #include "box_layers.h"
+#include "fault_snapshots.h"
 #include "temporary_folder.h"
 
 using namespace StickSlip;
@@ -98,14 +97,7 @@ end
     simulation.set_up();
     while (!simulation.is_finished())
       simulation.advance();
-    return make_fault_snapshots(simulation.state(),
-                                simulation.fault_nodes(),
-                                shear_tractions(simulation.fault_nodes(),
-                                                simulation.node_laws(),
-                                                simulation.state()),
-                                simulation.spatial_problem().jump_basis(),
-                                {"fault"})
-      .front();
+    return snapshots(simulation).front();
   }
 } // namespace
 

@@ -5,16 +5,15 @@
 #define stickslip_tests_simulation_scenes_h
 
 #include <stickslip/output/event_catalogue.h>
-#include <stickslip/problem/shear_traction.h>
 #include <stickslip/scene/loading_rate.h>
 #include <stickslip/scene/scene_reader.h>
 #include <stickslip/simulation/fault_layouts.h>
-#include <stickslip/simulation/fault_snapshots.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <algorithm>
 #include <cstdlib>
 
+#include "fault_snapshots.h"
 #include "project_directories.h"
 #include "temporary_folder.h"
 
@@ -28,22 +27,6 @@ namespace StickSlip::Tests
     return SceneReader(STICKSLIP_SOURCE_DIR "/parameters/" + name + ".prm",
                        overrides)
       .read<2>();
-  }
-
-
-
-  /** The faults of a simulation as they are now. */
-  inline std::vector<FaultSnapshot<2>>
-  snapshots(Simulation<2>                  &simulation,
-            const std::vector<std::string> &names = {"fault"})
-  {
-    return make_fault_snapshots(simulation.state(),
-                                simulation.fault_nodes(),
-                                shear_tractions(simulation.fault_nodes(),
-                                                simulation.node_laws(),
-                                                simulation.state()),
-                                simulation.spatial_problem().jump_basis(),
-                                names);
   }
 
 
