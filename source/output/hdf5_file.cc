@@ -51,6 +51,25 @@ namespace StickSlip
 
 
 
+    /** Access to a data set without a cache of its chunks, which are divided
+     * for readers: the cache would write a whole chunk with each flush, here
+     * each record reaches the file alone. */
+    Hdf5Handle
+    access_without_cache(const std::string &name)
+    {
+      Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS),
+                        H5Pclose,
+                        "describe the data set '" + name + "'");
+      require(H5Pset_chunk_cache(access,
+                                 H5D_CHUNK_CACHE_NSLOTS_DEFAULT,
+                                 0,
+                                 H5D_CHUNK_CACHE_W0_DEFAULT) >= 0,
+              "turn off the cache of the data set '" + name + "'");
+      return access;
+    }
+
+
+
     Hdf5Handle
     create_series(const hid_t                 group,
                   const std::string          &name,
@@ -81,7 +100,7 @@ namespace StickSlip
                                    space,
                                    H5P_DEFAULT,
                                    properties,
-                                   H5P_DEFAULT),
+                                   access_without_cache(name)),
                         H5Dclose,
                         "create the data set '" + name + "'");
     }
@@ -125,7 +144,7 @@ namespace StickSlip
 
 
   Hdf5Series::Hdf5Series(const hid_t group, const std::string &name)
-    : data_set(H5Dopen2(group, name.c_str(), H5P_DEFAULT),
+    : data_set(H5Dopen2(group, name.c_str(), access_without_cache(name)),
                H5Dclose,
                "open the data set '" + name + "'")
   {
