@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <stickslip/mortar/moved_surface.h>
 #include <stickslip/mortar/secant_axes.h>
+#include <stickslip/mortar/side_gaps.h>
 
 #include "mortar_curves.h"
 

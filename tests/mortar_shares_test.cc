@@ -2,7 +2,9 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <gtest/gtest.h>
+#include <stickslip/mortar/side_gaps.h>
 
+#include <cmath>
 #include <vector>
 
 #include "mortar_curves.h"
@@ -67,6 +69,36 @@ namespace
         EXPECT_NEAR(lost_area, whole.lost_area, 1e-13);
       }
   }
+
+
+
+  /** Parts of the gaps are those of the whole bit by bit, and nothing else. */
+  template <int dim>
+  void
+  expect_parts_of_gaps(const Side<dim> &slave, const Side<dim> &master)
+  {
+    const auto gaps = [&](const SlaveRange &range) {
+      return side_gaps(slave.surface,
+                       slave.positions,
+                       reversed(master.surface),
+                       master.positions,
+                       range);
+    };
+    const std::vector<double> whole   = gaps({});
+    const unsigned int        n_nodes = whole.size();
+    for (const unsigned int n_parts : {2, 3, 7})
+      for (unsigned int i = 0; i < n_parts; ++i)
+        {
+          const SlaveRange          range = {n_nodes * i / n_parts,
+                                             n_nodes * (i + 1) / n_parts};
+          const std::vector<double> part  = gaps(range);
+          for (unsigned int p = 0; p < n_nodes; ++p)
+            if (range.contains(p) && !std::isnan(whole[p]))
+              EXPECT_EQ(part[p], whole[p]);
+            else
+              EXPECT_TRUE(std::isnan(part[p]));
+        }
+  }
 } // namespace
 
 
@@ -89,7 +121,9 @@ TEST(MortarShares, ArePartsOfTheWhole)
                         grid(random_breakpoints(5, 0., 1.6, random),
                              random_breakpoints(6, 0., 1., random)));
 
-  const auto bend = [](const double x) { return Point<2>(x, 0.1 * x * x); };
-  expect_parts_of_whole(curve(uniform_breakpoints(15, 0., 1.), bend),
-                        curve(uniform_breakpoints(11, 0., 0.9), bend));
+  const auto    bend  = [](const double x) { return Point<2>(x, 0.1 * x * x); };
+  const Side<2> slave = curve(uniform_breakpoints(15, 0., 1.), bend),
+                master = curve(uniform_breakpoints(11, 0., 0.9), bend);
+  expect_parts_of_whole(slave, master);
+  expect_parts_of_gaps(slave, master);
 }

@@ -191,6 +191,16 @@ namespace StickSlip
   {
     contacts.clear();
     contacts.shrink_to_fit();
+    forget_rotation_terms();
+  }
+
+
+
+  template <int dim>
+  void
+  JumpBasis<dim>::forget_rotation_terms()
+  {
+    rotation_terms.clear();
   }
 
 

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the stickslip authors
 
 #include <stickslip/mesh/nodal_normals.h>
-#include <stickslip/mortar/dual_mortar.h>
 #include <stickslip/mortar/moved_surface.h>
 #include <stickslip/mortar/secant_axes.h>
+#include <stickslip/mortar/shared_coupling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,17 +85,19 @@ namespace StickSlip
                   const FaultDisplacement<dim>          &displacement,
                   const std::vector<Tensor<1, dim - 1>> &expected_slip,
                   const double                           farthest,
-                  const Tensor<1, dim>                  &reference)
+                  const Tensor<1, dim>                  &reference,
+                  const MPI_Comm                        &communicator)
   {
     const FaultSurface<dim> slave_now =
       moved_surface(slave, sum(slave.points, displacement.slave));
     const FaultSurface<dim> master_now =
       moved_surface(master, sum(master.points, displacement.master));
     const auto gaps_at = [&](const std::vector<Point<dim>> &slave_positions) {
-      return side_gaps(slave_now,
-                       slave_positions,
-                       master_now,
-                       master_now.points);
+      return find_shared_gaps(slave_now,
+                              slave_positions,
+                              master_now,
+                              master_now.points,
+                              communicator);
     };
     const std::vector<double>   gaps    = gaps_at(slave_now.points);
     std::vector<Tensor<1, dim>> normals = nodal_normals(slave_now);
@@ -147,7 +149,8 @@ namespace StickSlip
     const FaultDisplacement<dim> &,                  \
     const std::vector<Tensor<1, dim - 1>> &,         \
     const double,                                    \
-    const Tensor<1, dim> &);
+    const Tensor<1, dim> &,                          \
+    const MPI_Comm &);
 
   STICKSLIP_INSTANTIATE(2)
   STICKSLIP_INSTANTIATE(3)

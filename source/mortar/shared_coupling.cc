@@ -14,6 +14,20 @@ namespace StickSlip
 
 
 
+    /** The part of this process of the slave nodes. */
+    SlaveRange
+    own_range(const std::uint64_t n_nodes, const MPI_Comm &communicator)
+    {
+      const std::uint64_t n_processes =
+        Utilities::MPI::n_mpi_processes(communicator);
+      const std::uint64_t process =
+        Utilities::MPI::this_mpi_process(communicator);
+      return {static_cast<unsigned int>(n_nodes * process / n_processes),
+              static_cast<unsigned int>(n_nodes * (process + 1) / n_processes)};
+    }
+
+
+
     void
     write_row(const SparseRow &row, Message &message)
     {
@@ -105,19 +119,15 @@ namespace StickSlip
                         const MPI_Comm                &communicator)
   {
     using namespace Utilities::MPI;
-    const std::uint64_t n_nodes     = slave_positions.size();
-    const std::uint64_t n_processes = n_mpi_processes(communicator);
-    const std::uint64_t process     = this_mpi_process(communicator);
-    const SlaveRange    range       = {
-               static_cast<unsigned int>(n_nodes * process / n_processes),
-               static_cast<unsigned int>(n_nodes * (process + 1) / n_processes)};
+    const unsigned int n_nodes = slave_positions.size();
+    const SlaveRange   range   = own_range(n_nodes, communicator);
 
     MortarCoupling<dim> own;
     carry_out_agreed(communicator, [&]() {
       own = build_mortar_coupling(
         slave, slave_positions, master, master_positions, excluded, range);
     });
-    if (n_processes == 1)
+    if (n_mpi_processes(communicator) == 1)
       return own;
 
     MortarCoupling<dim> result;
@@ -137,6 +147,32 @@ namespace StickSlip
 
 
 
+  template <int dim>
+  std::vector<double>
+  find_shared_gaps(const FaultSurface<dim>       &slave,
+                   const std::vector<Point<dim>> &slave_positions,
+                   const FaultSurface<dim>       &master,
+                   const std::vector<Point<dim>> &master_positions,
+                   const MPI_Comm                &communicator)
+  {
+    const SlaveRange range = own_range(slave_positions.size(), communicator);
+    Message          own;
+    carry_out_agreed(communicator, [&]() {
+      own = side_gaps(slave, slave_positions, master, master_positions, range);
+    });
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return own;
+    own = Message(own.begin() + range.begin, own.begin() + range.end);
+    std::vector<double> gaps;
+    for (const Message &message : Utilities::MPI::all_gather(communicator, own))
+      gaps.insert(gaps.end(), message.begin(), message.end());
+    return gaps;
+  }
+
+
+
   template decltype(build_shared_coupling<2>) build_shared_coupling<2>;
   template decltype(build_shared_coupling<3>) build_shared_coupling<3>;
+  template decltype(find_shared_gaps<2>)      find_shared_gaps<2>;
+  template decltype(find_shared_gaps<3>)      find_shared_gaps<3>;
 } // namespace StickSlip

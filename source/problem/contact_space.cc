@@ -233,7 +233,8 @@ namespace StickSlip
                               displacements[f],
                               slip,
                               farthest,
-                              axes_now[f].reference_axis());
+                              axes_now[f].reference_axis(),
+                              finest.nodes.communicator());
             axes_now[f]      = std::move(coupling.axes);
             displacements[f] = std::move(coupling.displacement);
             gaps[f]          = coupling.gap;
@@ -341,6 +342,7 @@ namespace StickSlip
                                           frames.back(),
                                           to_jump_basis->coarse_nodes(),
                                           *to_jump_basis->coarse_sparsity());
+    bases.back().forget_rotation_terms();
     levels       = std::move(descriptions);
     finest_basis = std::make_unique<JumpBasis<dim>>(std::move(bases.back()));
     largest_gaps = std::move(mapping.gaps);

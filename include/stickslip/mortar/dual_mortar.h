@@ -9,6 +9,7 @@
 
 #include <stickslip/algebra/packed_rows.h>
 #include <stickslip/mesh/fault_surface.h>
+#include <stickslip/mortar/slave_weights.h>
 
 #include <utility>
 #include <vector>
@@ -17,18 +18,6 @@ namespace StickSlip
 {
   /** The entries of a row, columns ascending. */
   using SparseRow = PackedRows<unsigned int>::Row;
-
-  /** Slave nodes of a surface, by their places. */
-  struct SlaveRange
-  {
-    unsigned int begin = 0, end = numbers::invalid_unsigned_int;
-
-    bool
-    contains(const unsigned int node) const
-    {
-      return node >= begin && node < end;
-    }
-  };
 
   /**
    * The coupling of the two sides of a fault by dual Lagrange multipliers on
@@ -109,17 +98,6 @@ namespace StickSlip
   };
 
   /**
-   * A slave node is active if the integral of its shape function over the
-   * covered part of the slave surface is at least this fraction of that over
-   * all of it. At the end of a fault in two dimensions this means that half of
-   * the last face is covered. The value at a node is an extrapolation from the
-   * covered part, and the sum of |N_pq| grows with the distance: it is up to
-   * 5/3 inside and up to 4.6 at the ends of a fault in two dimensions, where a
-   * fraction of 0.05 would allow 12.
-   */
-  constexpr double active_weight_fraction = 0.25;
-
-  /**
    * Build the coupling for the current positions of the nodes, in m and in the
    * order of the nodes of the two surfaces, which may be numbered and oriented
    * in any way. The surfaces themselves must not have hanging nodes. Integrals
@@ -158,30 +136,6 @@ namespace StickSlip
                         const std::vector<Point<dim>> &master_positions,
                         const std::vector<bool>       &excluded = {},
                         const SlaveRange              &range    = {});
-
-  /**
-   * The means of the gap between two curved sides over the dual functions of
-   * the slave nodes, m: by how much the slave side is above the master side
-   * along its outward normal, that is, reaches into it. NaN where less than
-   * active_weight_fraction of a node's weight is covered. For the positions,
-   * see build_mortar_coupling(); nodes may have slid ahead of the points of the
-   * surfaces, which tell how these are curved.
-   *
-   * The gap is that of smooth sides, of which the faces are chords: with the
-   * slopes s_v that the nodal normals say at the vertices x_v of a face, each
-   * side is above its face by
-   *
-   *   b(x) = 1/2 sum_v phi_v(x) s_v . (x - x_v),
-   *
-   * half of what the tangent planes at the vertices, weighted by the shape
-   * functions, are above it. This is exact for surfaces of second degree.
-   */
-  template <int dim>
-  std::vector<double>
-  side_gaps(const FaultSurface<dim>       &slave,
-            const std::vector<Point<dim>> &slave_positions,
-            const FaultSurface<dim>       &master,
-            const std::vector<Point<dim>> &master_positions);
 } // namespace StickSlip
 
 #endif

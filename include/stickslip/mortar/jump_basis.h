@@ -97,9 +97,14 @@ namespace StickSlip
       return contacts;
     }
 
-    /** Forget faults(): coarse levels are only asked for rows and frames. */
+    /** Forget faults() and rotation_term(): coarse levels are only asked for
+     * rows and frames. */
     void
     forget_faults();
+
+    /** Forget rotation_term(), of which each process needs a part only. */
+    void
+    forget_rotation_terms();
 
     /** A row of B. */
     GlobalRow

@@ -4,6 +4,7 @@
 #ifndef stickslip_mortar_secant_axes_h
 #define stickslip_mortar_secant_axes_h
 
+#include <mpi.h>
 #include <stickslip/mortar/fault_axes.h>
 #include <stickslip/mortar/fault_displacement.h>
 
@@ -71,7 +72,8 @@ namespace StickSlip
    *
    * Tangents follow from the @p reference axis as in FaultAxes. Throws
    * InputError if it comes too near to a normal, and ExcMessage as
-   * moved_surface() does.
+   * moved_surface() does. All processes get the result, and each finds a part
+   * of the gaps. Collective.
    */
   template <int dim>
   SecantCoupling<dim>
@@ -82,7 +84,8 @@ namespace StickSlip
     const FaultDisplacement<dim>          &displacement,
     const std::vector<Tensor<1, dim - 1>> &expected_slip,
     const double                           farthest,
-    const Tensor<1, dim> &reference = FaultAxes<dim>::first_axis());
+    const Tensor<1, dim> &reference    = FaultAxes<dim>::first_axis(),
+    const MPI_Comm       &communicator = MPI_COMM_SELF);
 
 } // namespace StickSlip
 

@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 #include <stickslip/mortar/dual_mortar.h>
+#include <stickslip/mortar/side_gaps.h>
 
 namespace StickSlip
 {
@@ -22,6 +23,17 @@ namespace StickSlip
                         const std::vector<Point<dim>> &master_positions,
                         const std::vector<bool>       &excluded,
                         const MPI_Comm                &communicator);
+
+  /**
+   * The gaps that side_gaps() finds, in the same way.
+   */
+  template <int dim>
+  std::vector<double>
+  find_shared_gaps(const FaultSurface<dim>       &slave,
+                   const std::vector<Point<dim>> &slave_positions,
+                   const FaultSurface<dim>       &master,
+                   const std::vector<Point<dim>> &master_positions,
+                   const MPI_Comm                &communicator);
 } // namespace StickSlip
 
 #endif
