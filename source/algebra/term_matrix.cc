@@ -106,22 +106,26 @@ namespace StickSlip
     const BlockSparsity &sparsity = matrix.sparsity();
     BlockMatrix<1>       numbers(matrix.shared_sparsity());
     TermMatrix           result;
+    std::size_t          n_stored = 0;
     for (unsigned int i = 0; i < matrix.n_rows(); ++i)
       {
         const unsigned int begin = sparsity.row_start[i],
                            end   = sparsity.row_start[i + 1];
         if (has_multiples_of_identity(matrix, i))
+          for (unsigned int k = begin; k < end; ++k)
+            *numbers.block(k) = *matrix.block(k);
+        else
           {
-            for (unsigned int k = begin; k < end; ++k)
-              *numbers.block(k) = *matrix.block(k);
-            continue;
+            result.rows_with_blocks.push_back(i);
+            result.first_block.push_back(n_stored);
+            n_stored += std::size_t(end - begin) * block_size;
           }
-        result.rows_with_blocks.push_back(i);
-        result.first_block.push_back(result.blocks_of_rows.size());
-        result.blocks_of_rows.insert(result.blocks_of_rows.end(),
-                                     matrix.block(begin),
-                                     matrix.block(end));
       }
+    result.blocks_of_rows.reserve(n_stored);
+    for (const unsigned int i : result.rows_with_blocks)
+      result.blocks_of_rows.insert(result.blocks_of_rows.end(),
+                                   matrix.block(sparsity.row_start[i]),
+                                   matrix.block(sparsity.row_start[i + 1]));
     result.pattern = matrix.shared_sparsity();
     result.numbers = std::move(numbers);
     return result;

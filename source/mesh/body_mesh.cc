@@ -124,10 +124,6 @@ namespace StickSlip
     , coarse_cells(body.cells)
     , coarser_cells(body.coarser_cells)
   {
-    // Bound nodes on one of two joined sides name those on the other.
-    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-      if (period[axis] > 0)
-        kept_sides.insert({2 * axis, 2 * axis + 1});
     // Nodes that these have in common with faults.
     if (!kept_sides.empty())
       kept_sides.insert(sides_at_faults.begin(), sides_at_faults.end());
@@ -192,7 +188,7 @@ namespace StickSlip
                             steps,
                             depth,
                             fault_sides,
-                            kept_sides,
+                            sides_of_shares(),
                             couples_patches,
                             communicator}))
   {
@@ -528,6 +524,22 @@ namespace StickSlip
       for (const auto v : cell->vertex_indices())
         result[cell->vertex_index(v)] = cell->vertex_dof_index(v, 0);
     return result;
+  }
+
+
+
+  template <int dim>
+  std::set<types::boundary_id>
+  BodyMesh<dim>::sides_of_shares() const
+  {
+    std::set<types::boundary_id> sides = kept_sides;
+    // Bound nodes on one of two joined sides name those on the other.
+    for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+      if (period[axis] > 0)
+        sides.insert({2 * axis, 2 * axis + 1});
+    if (!sides.empty())
+      sides.insert(fault_sides.begin(), fault_sides.end());
+    return sides;
   }
 
 

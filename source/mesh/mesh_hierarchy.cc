@@ -20,13 +20,6 @@ namespace StickSlip
 {
   namespace
   {
-    /** Cells that are divided between the processes at least, in units of the
-     * least number of nodes of a process. So many divide as well as all, and
-     * take little of the memory and time of a process. */
-    constexpr unsigned int least_units = 40;
-
-
-
     /** The process of each node of a body from those of the vertices of its
      * mesh. */
     template <int dim>
@@ -60,6 +53,7 @@ namespace StickSlip
     /**
      * Gather the nodes of neighbouring processes on one where there are too
      * few for all. The numbers of neighbouring parts are close to each other.
+     * It is the last of them, since borders belong to those before.
      */
     void
     gather(std::vector<unsigned int> &owners,
@@ -69,8 +63,10 @@ namespace StickSlip
       for (unsigned int &owner : owners)
         {
           const unsigned int group = owner * n_sharing / n_processes;
-          // The first process of the group.
-          owner = (group * n_processes + n_sharing - 1) / n_sharing;
+          // The first process of the next group.
+          const unsigned int end =
+            ((group + 1) * n_processes + n_sharing - 1) / n_sharing;
+          owner = end - 1;
         }
     }
 

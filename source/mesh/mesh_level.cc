@@ -6,6 +6,7 @@
 #include <stickslip/algebra/index_set.h>
 #include <stickslip/base/checksum.h>
 #include <stickslip/base/input_error.h>
+#include <stickslip/base/make_set.h>
 #include <stickslip/mesh/mesh_level.h>
 #include <stickslip/mesh/vertices_on_sides.h>
 
@@ -295,6 +296,13 @@ namespace StickSlip
         is_kept.emplace_back(body->triangulation().n_active_cells(), false);
         is_on_kept_side.push_back(body->vertices_on_kept_sides());
       }
+    std::vector<types::global_dof_index> masters;
+    const auto add_masters = [&](const unsigned int            body,
+                                 const types::global_dof_index dof) {
+      if (bodies[body]->bound_nodes().is_constrained(dof))
+        for (const auto &master : resolve(body, dof))
+          masters.push_back(master.first);
+    };
     std::vector<unsigned int> first_real(bodies.size(),
                                          numbers::invalid_unsigned_int);
     for_each_patch(
@@ -318,7 +326,30 @@ namespace StickSlip
           is_kept[body][cell->active_cell_index()] =
             is_wanted || bodies[body]->is_rigid() ||
             has_marked_vertex<dim>(cell, is_on_kept_side[body]);
+        if (is_wanted && bodies[body]->lateral_period().norm() > 0.)
+          for (const auto &cell : cells)
+            for (const auto v : cell->vertex_indices())
+              add_masters(body, cell->vertex_dof_index(v, 0));
       });
+    // Images at one end of a body name nodes at the other.
+    make_set(masters);
+    const auto has_master = [&](const unsigned int body, const auto &cell) {
+      for (const auto v : cell->vertex_indices())
+        if (std::binary_search(masters.begin(),
+                               masters.end(),
+                               global_node(body, cell->vertex_dof_index(v, 0))))
+          return true;
+      return false;
+    };
+    if (!masters.empty())
+      for_each_patch(
+        *this, [&](const unsigned int body, const auto &cells, const auto &) {
+          if (std::any_of(cells.begin(), cells.end(), [&](const auto &cell) {
+                return has_master(body, cell);
+              }))
+            for (const auto &cell : cells)
+              is_kept[body][cell->active_cell_index()] = true;
+        });
     // No mesh is empty.
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (std::find(is_kept[b].begin(), is_kept[b].end(), true) ==

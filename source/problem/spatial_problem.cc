@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the stickslip authors
 
+#include <deal.II/base/mpi.h>
+
+#include <stickslip/base/freed_memory.h>
 #include <stickslip/problem/spatial_problem.h>
 
 namespace StickSlip
@@ -42,6 +45,10 @@ namespace StickSlip
     // Memory of the old levels is needed for the new ones.
     this->clear_operator();
     this->set_mapping(std::move(mapping), this->nodal_sparsity());
+    // Small blocks that rows of transfers have left between others.
+    if (Utilities::MPI::n_mpi_processes(displacement.get_mpi_communicator()) >
+        1)
+      give_back_freed_memory();
     this->make_operator(this->jump_product(),
                         this->rotation_coupling(),
                         this->descriptions());

@@ -5,7 +5,7 @@
 
 #include <stickslip/base/input_error.h>
 #include <stickslip/geometry/face_area.h>
-#include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/mesh_hierarchy.h>
 #include <stickslip/scene/mesh_estimate.h>
 
 #include <algorithm>
@@ -80,7 +80,10 @@ namespace StickSlip
 
     /** Nodes of meshes that are divided between processes, at least: they are
      * as coarse as leaves so many, up to 2^d times as many. */
-    constexpr double least_divided_nodes = 20000.;
+    template <int dim>
+    constexpr double least_divided_nodes =
+      MeshHierarchy<dim>::usual_nodes_per_process
+        *MeshHierarchy<dim>::least_units;
 
 
 
@@ -443,7 +446,8 @@ namespace StickSlip
 
     estimate.whole_nodes =
       undivided +
-      std::max(coarse, std::min(divided, least_divided_nodes * std::exp2(dim)));
+      std::max(coarse,
+               std::min(divided, least_divided_nodes<dim> * std::exp2(dim)));
 
     for (const Fault &fault : scene.topology.faults())
       {

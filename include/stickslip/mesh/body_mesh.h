@@ -126,8 +126,8 @@ namespace StickSlip
     }
 
     /** For each vertex of the triangulation, if it is on a side that every
-     * process keeps as a whole: one with directions that are asked for, or
-     * joined to another, and on such bodies also one at a fault. */
+     * process keeps as a whole: one with directions that are asked for, and on
+     * such bodies also one at a fault. */
     std::vector<bool>
     vertices_on_kept_sides() const;
 
@@ -251,6 +251,12 @@ namespace StickSlip
     void
     join_periodic_sides(Triangulation<dim> &triangulation) const;
 
+    /** Sides that every process has as a whole until it keeps a part: those
+     * that it keeps, and joined ones, with those at faults that both have nodes
+     * in common with. */
+    std::set<types::boundary_id>
+    sides_of_shares() const;
+
     /** Number the degrees of freedom. */
     void
     number_dofs();
@@ -273,7 +279,7 @@ namespace StickSlip
     bool                        rigid;
     bool                        couples_patches;
 
-    /** Sides at faults, and those that every process needs as a whole. */
+    /** Sides at faults, and those that every process keeps as a whole. */
     std::set<types::boundary_id> fault_sides, kept_sides;
 
     /** Numbers in the whole mesh, if only part of it is here. */

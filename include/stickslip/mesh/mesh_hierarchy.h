@@ -28,6 +28,11 @@ namespace StickSlip
     /** The least number of nodes for which another process shares a level. */
     static constexpr unsigned int usual_nodes_per_process = 500;
 
+    /** Cells that are divided between the processes at least, in units of the
+     * least number of nodes of a process. So many divide as well as all, and
+     * take little of the memory and time of a process. */
+    static constexpr unsigned int least_units = 20;
+
     /**
      * The bodies in the order of the @p topology. A level but the finest is
      * shared by no more processes than there are multiples of

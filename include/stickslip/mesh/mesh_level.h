@@ -48,10 +48,10 @@ namespace StickSlip
               const MPI_Comm                 &communicator,
               const unsigned int              n_components = dim);
 
-    /** Keep the patches that touch an owned node, the cells that touch a side
-     * which every process needs as a whole, rigid bodies, and a cell of each
-     * other; forget the others and their nodes. Surfaces go on to be those of
-     * all faults. */
+    /** Keep the patches that touch an owned node, those with nodes at the other
+     * end of a body that these name, the cells that touch a side which every
+     * process needs as a whole, rigid bodies, and a cell of each other; forget
+     * the others and their nodes. Surfaces go on to be those of all faults. */
     void
     keep_own_cells();
 
