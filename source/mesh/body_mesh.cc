@@ -18,6 +18,7 @@
 #include <stickslip/mesh/vertices_on_sides.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace StickSlip
 {
@@ -100,6 +101,19 @@ namespace StickSlip
       if (any)
         refine_flagged(mesh);
     }
+
+
+
+    /** Some sides, with those at faults, which have nodes in common with them.
+     */
+    std::set<types::boundary_id>
+    with_faults(std::set<types::boundary_id>        sides,
+                const std::set<types::boundary_id> &sides_at_faults)
+    {
+      if (!sides.empty())
+        sides.insert(sides_at_faults.begin(), sides_at_faults.end());
+      return sides;
+    }
   } // namespace
 
 
@@ -120,13 +134,10 @@ namespace StickSlip
     , rigid(body.rigid)
     , couples_patches(body.couples_patches)
     , fault_sides(sides_at_faults)
-    , kept_sides(body.whole_sides)
+    , kept_sides(with_faults(body.whole_sides, sides_at_faults))
     , coarse_cells(body.cells)
     , coarser_cells(body.coarser_cells)
   {
-    // Nodes that these have in common with faults.
-    if (!kept_sides.empty())
-      kept_sides.insert(sides_at_faults.begin(), sides_at_faults.end());
     if constexpr (dim == 3)
       if (coarse_cells->all_reference_cells_are_simplex())
         {
@@ -537,9 +548,7 @@ namespace StickSlip
     for (unsigned int axis = 0; axis + 1 < dim; ++axis)
       if (period[axis] > 0)
         sides.insert({2 * axis, 2 * axis + 1});
-    if (!sides.empty())
-      sides.insert(fault_sides.begin(), fault_sides.end());
-    return sides;
+    return with_faults(std::move(sides), fault_sides);
   }
 
 

@@ -46,6 +46,90 @@ namespace StickSlip
             });
         }
     }
+
+
+    /** True if a vertex of one of the cells has such a node, whatever that is
+     * bound to. */
+    template <int dim, typename Cells, typename Predicate>
+    bool
+    has_node(const MeshLevel<dim> &level,
+             const unsigned int    body,
+             const Cells          &cells,
+             const Predicate      &predicate)
+    {
+      for (const auto &cell : cells)
+        for (const auto v : cell->vertex_indices())
+          if (predicate(level.global_node(body, cell->vertex_dof_index(v, 0))))
+            return true;
+      return false;
+    }
+
+
+
+    /** For the active cells of each body, if MeshLevel::keep_own_cells() keeps
+     * them. */
+    template <int dim>
+    std::vector<std::vector<bool>>
+    find_kept_cells(const MeshLevel<dim> &level)
+    {
+      std::vector<std::vector<bool>> is_kept, is_on_kept_side;
+      for (const auto &body : level.bodies)
+        {
+          is_kept.emplace_back(body->triangulation().n_active_cells(), false);
+          is_on_kept_side.push_back(body->vertices_on_kept_sides());
+        }
+      std::vector<types::global_dof_index> masters;
+      std::vector<unsigned int>            first_real(level.bodies.size(),
+                                           numbers::invalid_unsigned_int);
+      const auto is_owned = [&](const types::global_dof_index node) {
+        return level.nodes.owned().is_element(node);
+      };
+      for_each_patch(
+        level,
+        [&](const unsigned int                          b,
+            const auto                                 &cells,
+            const std::vector<types::global_dof_index> &its_nodes) {
+          const BodyMesh<dim> &body = *level.bodies[b];
+          first_real[b] =
+            std::min(first_real[b], cells.front()->active_cell_index());
+          // Hanging nodes are not among those that they are bound to.
+          const bool is_wanted =
+            std::any_of(its_nodes.begin(), its_nodes.end(), is_owned) ||
+            has_node(level, b, cells, is_owned);
+          for (const auto &cell : cells)
+            is_kept[b][cell->active_cell_index()] =
+              is_wanted || body.is_rigid() ||
+              has_marked_vertex<dim>(cell, is_on_kept_side[b]);
+          if (!is_wanted || body.lateral_period().norm() == 0.)
+            return;
+          for (const auto &cell : cells)
+            for (const auto v : cell->vertex_indices())
+              if (const auto dof = cell->vertex_dof_index(v, 0);
+                  body.bound_nodes().is_constrained(dof))
+                for (const auto &master : level.resolve(b, dof))
+                  masters.push_back(master.first);
+        });
+
+      // Images at one end of a body name nodes at the other.
+      make_set(masters);
+      const auto is_master = [&](const types::global_dof_index node) {
+        return std::binary_search(masters.begin(), masters.end(), node);
+      };
+      if (!masters.empty())
+        for_each_patch(
+          level, [&](const unsigned int b, const auto &cells, const auto &) {
+            if (has_node(level, b, cells, is_master))
+              for (const auto &cell : cells)
+                is_kept[b][cell->active_cell_index()] = true;
+          });
+
+      // No mesh is empty.
+      for (unsigned int b = 0; b < is_kept.size(); ++b)
+        if (std::find(is_kept[b].begin(), is_kept[b].end(), true) ==
+            is_kept[b].end())
+          is_kept[b][first_real[b]] = true;
+      return is_kept;
+    }
   } // namespace
 
 
@@ -290,73 +374,8 @@ namespace StickSlip
   void
   MeshLevel<dim>::keep_own_cells()
   {
-    std::vector<std::vector<bool>> is_kept, is_on_kept_side;
-    for (const auto &body : bodies)
-      {
-        is_kept.emplace_back(body->triangulation().n_active_cells(), false);
-        is_on_kept_side.push_back(body->vertices_on_kept_sides());
-      }
-    std::vector<types::global_dof_index> masters;
-    const auto add_masters = [&](const unsigned int            body,
-                                 const types::global_dof_index dof) {
-      if (bodies[body]->bound_nodes().is_constrained(dof))
-        for (const auto &master : resolve(body, dof))
-          masters.push_back(master.first);
-    };
-    std::vector<unsigned int> first_real(bodies.size(),
-                                         numbers::invalid_unsigned_int);
-    for_each_patch(
-      *this,
-      [&](const unsigned int                          body,
-          const auto                                 &cells,
-          const std::vector<types::global_dof_index> &its_nodes) {
-        const auto is_owned = [&](const types::global_dof_index node) {
-          return nodes.owned().is_element(node);
-        };
-        first_real[body] =
-          std::min(first_real[body], cells.front()->active_cell_index());
-        bool is_wanted =
-          std::any_of(its_nodes.begin(), its_nodes.end(), is_owned);
-        // Hanging nodes are not among those that they are bound to.
-        for (const auto &cell : cells)
-          for (const auto v : cell->vertex_indices())
-            is_wanted |=
-              is_owned(global_node(body, cell->vertex_dof_index(v, 0)));
-        for (const auto &cell : cells)
-          is_kept[body][cell->active_cell_index()] =
-            is_wanted || bodies[body]->is_rigid() ||
-            has_marked_vertex<dim>(cell, is_on_kept_side[body]);
-        if (is_wanted && bodies[body]->lateral_period().norm() > 0.)
-          for (const auto &cell : cells)
-            for (const auto v : cell->vertex_indices())
-              add_masters(body, cell->vertex_dof_index(v, 0));
-      });
-    // Images at one end of a body name nodes at the other.
-    make_set(masters);
-    const auto has_master = [&](const unsigned int body, const auto &cell) {
-      for (const auto v : cell->vertex_indices())
-        if (std::binary_search(masters.begin(),
-                               masters.end(),
-                               global_node(body, cell->vertex_dof_index(v, 0))))
-          return true;
-      return false;
-    };
-    if (!masters.empty())
-      for_each_patch(
-        *this, [&](const unsigned int body, const auto &cells, const auto &) {
-          if (std::any_of(cells.begin(), cells.end(), [&](const auto &cell) {
-                return has_master(body, cell);
-              }))
-            for (const auto &cell : cells)
-              is_kept[body][cell->active_cell_index()] = true;
-        });
-    // No mesh is empty.
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      if (std::find(is_kept[b].begin(), is_kept[b].end(), true) ==
-          is_kept[b].end())
-        is_kept[b][first_real[b]] = true;
-
-    std::vector<types::global_dof_index>                   first = {0}, numbers;
+    const std::vector<std::vector<bool>> is_kept = find_kept_cells(*this);
+    std::vector<types::global_dof_index> first   = {0}, numbers;
     std::unordered_map<types::global_dof_index, GlobalRow> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {

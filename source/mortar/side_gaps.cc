@@ -15,18 +15,18 @@ namespace StickSlip
   {
     /** By how much a smooth surface with these normals at the nodes is above
      * one of its faces, at the point x of a plane that the face is projected
-     * onto, see side_gaps(). */
+     * onto, where its shape functions are @p phi; see side_gaps(). */
     template <int dim>
     double
-    bulge(const FacePlane<dim>              &plane,
-          const FaceShape<dim>              &shape,
-          const FaultSurface<dim>           &surface,
-          const unsigned int                 face,
-          const std::vector<Tensor<1, dim>> &normals,
-          const Point<dim - 1>              &x)
+    bulge(const FacePlane<dim>                     &plane,
+          const FaceShape<dim>                     &shape,
+          const FaultSurface<dim>                  &surface,
+          const unsigned int                        face,
+          const std::vector<Tensor<1, dim>>        &normals,
+          const Point<dim - 1>                     &x,
+          const typename OverlapPoint<dim>::Values &phi)
     {
-      const auto phi    = shape.shape_values(x);
-      double     result = 0.;
+      double result = 0.;
       for (unsigned int v = 0; v < shape.n_vertices(); ++v)
         {
           const Tensor<1, dim> &normal = normals[surface.faces[face][v]];
@@ -57,38 +57,36 @@ namespace StickSlip
     FaceMasses<dim>                                 masses(slave.faces.size());
     std::vector<typename OverlapPoint<dim>::Values> integrals(
       slave.faces.size());
-    for_each_overlap_point<dim>(slave,
-                                slave_positions,
-                                master,
-                                master_positions,
-                                [&](const OverlapPoint<dim> &point) {
-                                  auto &mass     = masses[point.slave_face];
-                                  auto &integral = integrals[point.slave_face];
-                                  // Of smooth sides.
-                                  const double gap = point.gap +
-                                                     bulge(point.plane,
-                                                           point.slave_shape,
-                                                           slave,
-                                                           point.slave_face,
-                                                           slave_normals,
-                                                           point.on_slave) -
-                                                     bulge(point.plane,
-                                                           point.master_shape,
-                                                           master,
-                                                           point.master_face,
-                                                           master_normals,
-                                                           point.on_master);
-                                  const auto        &phi = point.slave_phi;
-                                  const unsigned int n =
-                                    point.slave_shape.n_vertices();
-                                  for (unsigned int i = 0; i < n; ++i)
-                                    {
-                                      for (unsigned int j = 0; j < n; ++j)
-                                        mass[i][j] +=
-                                          phi[i] * phi[j] * point.JxW;
-                                      integral[i] += phi[i] * gap * point.JxW;
-                                    }
-                                });
+    const auto add_point = [&](const OverlapPoint<dim> &point) {
+      // Of smooth sides.
+      const double gap = point.gap +
+                         bulge(point.plane,
+                               point.slave_shape,
+                               slave,
+                               point.slave_face,
+                               slave_normals,
+                               point.on_slave,
+                               point.slave_phi) -
+                         bulge(point.plane,
+                               point.master_shape,
+                               master,
+                               point.master_face,
+                               master_normals,
+                               point.on_master,
+                               point.master_phi);
+      auto              &mass     = masses[point.slave_face];
+      auto              &integral = integrals[point.slave_face];
+      const auto        &phi      = point.slave_phi;
+      const unsigned int n        = point.slave_shape.n_vertices();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          for (unsigned int j = 0; j < n; ++j)
+            mass[i][j] += phi[i] * phi[j] * point.JxW;
+          integral[i] += phi[i] * gap * point.JxW;
+        }
+    };
+    for_each_overlap_point<dim>(
+      slave, slave_positions, master, master_positions, add_point);
 
     const std::vector<DualBasis<dim>> bases = dual_bases(slave, masses);
     const SlaveWeights                weights =
